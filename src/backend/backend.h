@@ -13,7 +13,7 @@
 
 typedef struct
 {
-	const char* device; // part of a name, or null for the first suitable device
+	const char* device; // part of the name of a device, or null for the first suitable device
 	int threads, lanes; // 0 for the maximum of the device
 	bool allow_unequal_bits, timings;
 	bool gpu;                   // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
@@ -26,7 +26,7 @@ _Static_assert(sizeof(Counters) <= READ_ASYNC_BYTES, "the counters are read in h
 typedef struct // memory that OpenGL or another program uses too; the caller owns it
 {
 	scree_sharing how; // not SCREE_SHARING_COPIED
-	int file;          // SCREE_SHARING_MEMORY: file descriptor; it belongs to the device that has accepted it
+	int file;          // SCREE_SHARING_MEMORY: file descriptor; a device that accepts it becomes its owner
 	uint32_t buffer;   // SCREE_SHARING_OPENGL: name of a buffer object
 	size_t bytes;
 } SharedMemory;
@@ -38,8 +38,8 @@ typedef enum // uses of shared memory
 	SHARED_USES
 } SharedUse;
 
-// Blocks of ACTIVE_ITEMS bodies or collidables that a step may change. A kernel over all bodies or collidables would
-// write their old values to the other blocks, so a backend may skip the other blocks.
+// Blocks of ACTIVE_ITEMS bodies or collidables that a step may change. In all other blocks, a kernel over bodies or
+// collidables would only write the old values again, so a backend may skip these blocks.
 #define ACTIVE_ITEMS (8 * MAX_LANES)
 enum
 {
@@ -54,19 +54,19 @@ typedef struct
 } ActiveBlocks;
 
 // Distributes long items, sorted by length, to workers in rounds of one item per worker. Returns the worker of a place
-// in a round, or the place of a worker. Even rounds go forward and odd rounds backward, so that the amounts of work are
-// similar. In every pass, a worker has the same items.
+// in a round, or the place of a worker. Even rounds go through the workers forward and odd rounds backward, so that all
+// have similar amounts of work. In every pass, a worker has the same items.
 static inline int dealt(int round, int place, int workers) { return round & 1 ? workers - 1 - place : place; }
 
 typedef struct // upload of many items, a kernel over each item, and readback of a result for each item
 {
 	PoolId asked; // pool of the items
 	const void* items;
-	Run run; // run of the kernel, which begins at item 0
+	Run run; // run of the kernel; Run.begin is 0
 	PoolId answered;
 	void* answers; // results, in the order of the items
 	// Checks items begin to end - 1, in any thread while the device works; null: no check. Results are written to
-	// `answers` only if all items are valid. The kernel ends even if items are invalid.
+	// `answers` only if all items are valid. The kernel must also terminate with invalid items.
 	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // argument of check
 } Batch;
@@ -76,37 +76,38 @@ typedef struct // every function that returns a status sets the error's sentence
 {
 	// closes the backend after its current work; also called after a failed open
 	void (*close)(Backend* b);
-	// sets the capacity of the pools of one kind, and keeps their items; new items are zero
+	// sets the capacity of all pools that have items of one kind, and keeps their items; new items are zero
 	scree_status (*resize)(Backend* b, Per per, int capacity);
 	// executes runs in order; each run is complete before the next begins; may return before the device has finished
 	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
 	// executes a solve up to the final poses, as the runs of solve_list would; list: empty, with capacity for them
 	scree_status (*solve)(Backend* b, const Step* step, const Solve* solve, RunList* list);
-	// copy `count` items from item `first` on, to and from the device, in order with the runs; read returns afterwards
+	// copy `count` items of a pool from item `first` on, in order with the runs. write: to the device; read: from the
+	// device; read returns after its copy
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
 	// a read in two halves: read_begin starts a copy after the runs before it; read_end returns when this copy is done,
 	// even if later runs are not. At most one copy at a time, of at most READ_ASYNC_BYTES
 	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
 	scree_status (*read_end)(Backend* b, void* items);
-	// combines write, run and read, which may overlap
+	// executes write, run and read of a batch, which may overlap in time
 	scree_status (*batch)(Backend* b, const Step* step, const Batch* batch);
 	scree_status (*wait)(Backend* b);
-	// returns and clears the times of the stages since the last call, after all work; 0 without BackendOptions.timings
+	// after all work, returns the times of the stages since the last call; 0 without BackendOptions.timings
 	scree_status (*timings)(Backend* b, double milliseconds[STAGE_COUNT]);
 	// sets the memory for a use (null: none), after all work has ended; on failure keeps the previous memory
 	scree_status (*share)(Backend* b, SharedUse use, const SharedMemory* memory);
 	// executes a run whose pool render_row is the memory of SHARED_ROWS; returns when OpenGL may read this memory
 	scree_status (*render)(Backend* b, const Run* run);
-	// copy the first items of a pool, in order with the runs. download: from the memory of SHARED_QUERIES, at an
-	// offset, into the pool. upload: from the pool into this memory; returns when other programs may read it
+	// copy the first `count` items of a pool, in order with the runs. download: from the memory of SHARED_QUERIES, at
+	// `offset` bytes, into the pool. upload: from the pool into this memory; returns when other programs may read it
 	scree_status (*download)(Backend* b, PoolId pool, int count, size_t offset);
 	scree_status (*upload)(Backend* b, PoolId pool, int count, size_t offset);
 	// returns the address of a pool in host memory, valid until the next resize; null if pools are not in host memory
 	void* (*address)(Backend* b, PoolId pool);
-	// frees a core for other work of this process (true), or takes it back (false), between lists; null: uses no core
+	// frees a CPU core for other work of this process (true), or takes it back (false), between lists; may be null
 	void (*spare)(Backend* b, bool core);
-	// allocate and release two blocks, to measure the speed of copies; release also works without blocks
+	// allocate and release two blocks of memory, to measure the speed of copies; release also works without blocks
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
 	void (*copy_release)(Backend* b);
 	// copies one block to the other `times` times, on the whole device; returns after the copies
@@ -116,18 +117,18 @@ typedef struct // every function that returns a status sets the error's sentence
 struct Backend
 {
 	const BackendFunctions* f;
-	char name[160];                    // "cpu", "opencl:NVIDIA H200"
+	char name[160];                    // "cpu", or for instance "opencl:NVIDIA H200"
 	int threads, lanes;                // 0 for OpenCL
-	int traversal_items;               // work-items among which the rest of a long traversal is split, at least 1
+	int traversal_items;               // number of work-items that share the rests of long traversals, at least 1
 	int traversal_nodes;               // number of nodes of level 1 after which the rest of a traversal is split
 	int chain_lanes;                   // number of chains that are interleaved, at least 1
 	int groups;                        // number of work-groups that run at the same time, at least 1
-	bool distant;                      // a read takes as long as many runs, because the device is not the host
+	bool distant;                      // the device is not the host, so a read takes as long as many runs
 	bool skips;                        // the backend skips blocks that are not in `active`
-	scree_sharing sharing;             // if SCREE_SHARING_COPIED, the functions of sharing are null
-	int capacity[PER_COUNT];           // capacity of the pools of each kind
+	scree_sharing sharing;             // SCREE_SHARING_COPIED: functions that use SharedMemory may be null
+	int capacity[PER_COUNT];           // number of items that the pools of each kind can hold
 	ActiveBlocks active[ACTIVE_KINDS]; // blocks that may change; the caller sets them before a step
-	uint64_t bytes;                    // memory that the pools use
+	uint64_t bytes;                    // bytes of memory that the pools use
 	uint64_t memory;                   // bytes of device memory; 0 if the pools are in host memory
 	void* state;                       // state of the backend's implementation
 };
@@ -136,7 +137,7 @@ struct Backend
 scree_status cpu_open(const BackendOptions* options, Backend** backend);
 scree_status opencl_open(const BackendOptions* options, Backend** backend);
 
-// Fill entries for scree_devices_get, and return the number of devices.
+// Fill up to `capacity` entries for scree_devices_get. Return the number of devices, which may exceed `capacity`.
 int cpu_devices(scree_device* devices, int capacity);
 int opencl_devices(scree_device* devices, int capacity);
 const char* opencl_hint(void);

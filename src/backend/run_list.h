@@ -15,7 +15,7 @@ typedef struct // a list of runs under construction
 scree_status runs_reserve(RunList* list, int capacity);
 void runs_close(RunList* list);
 
-// Adds a run over items begin to end - 1. count: counter on the device that may lower the end (COUNT), or NO_COUNT.
+// Adds a run over items begin to end - 1. count: counter on the device (COUNT) that limits the end, or NO_COUNT.
 void runs_add(RunList* list, int kernel, int begin, int end, int count, int argument);
 void runs_add_single(RunList* list, int kernel);
 

@@ -5,15 +5,15 @@
 
 typedef enum
 {
-	FORM_ANY, // the fastest form
+	FORM_ANY, // the backend chooses the form that it expects to be fastest
 	FORM_RELAY,
 	FORM_TILES,
 	FORM_LAUNCHES, // one launch per color and pass
 	FORM_COUNT
 } SolveForm;
 
-// Form of the solve on devices that are opened later. Only tests change it. FORM_RELAY and FORM_TILES also apply to
-// CPUs; with them, the persistent kernel executes long runs too. With FORM_LAUNCHES that kernel executes no runs.
+// Form of the solve for devices that are opened later. Only tests change it. FORM_RELAY and FORM_TILES apply to OpenCL
+// CPUs, too, and let the persistent kernel execute long runs. With FORM_LAUNCHES that kernel executes no runs.
 extern SolveForm solve_form_setting;
 
 #endif

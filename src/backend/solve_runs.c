@@ -10,15 +10,15 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 
 int solve_runs_most(int substeps)
 {
-	// per pass: one run per color and kind, two per hub color, two of chains, one each of branches, overflow and bodies
+	// runs of a pass: 1 per color and kind, 2 per hub color, 2 for chains, 1 each for branches, overflow and bodies
 	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_COLORS + 5) + 2 * CONSTRAINT_KINDS +
 	       COLORS + 14;
 }
 
-// Adds a pass. Relax solves heavy chains between light bodies twice, before and after the colors. Before the colors,
-// the chains remove the velocity with which bias pulled their frames together. Otherwise contacts of the light bodies
-// would stop this motion, and their impulses would remain and throw a landing cart up. If Solve.bound is not NO_COUNT,
-// the host has the current Counters.split.
+// Adds a pass. A relax pass solves heavy chains between light bodies twice, before and after the colors. Before the
+// colors, it removes the velocity by which the bias pass pulled their frames together. Otherwise contacts of the light
+// bodies would stop this motion, and their impulses would remain and throw a landing cart up. Parts of bodies are
+// merged if Counters.split is above 0. Without Solve.bound (NO_COUNT), only the device has its current value.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;

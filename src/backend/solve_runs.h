@@ -8,14 +8,14 @@
 
 typedef struct
 {
-	int bodies, collidables; // slots in use
+	int bodies, collidables; // numbers of slots, up to the last one in use
 	int substeps;
 	bool rare[CONSTRAINT_KINDS]; // the kind uses its rare rows
 	bool bounces;                // as in Step
 	bool unlocked;               // some body with joints may have no collidable, and therefore no leaf in a tree
 	int chains, chain_places;    // number of items of a pass over chains; number of places in chains and branches
-	int carried;  // items of the pass over chains from this index on have a heavy chain between light bodies
-	int branches; // items of a pass over branches, which follow the chains
+	int carried;  // first item of a pass over chains that has heavy chains between light bodies; such items come last
+	int branches; // number of items of a pass over branches; they follow the items of chains
 	bool taut;    // colored joints may pull so hard that bodies need larger inertias for the step
 	const Counters* counters; // counters on the host; they contain the layout of the constraints
 	int bound; // counter that is 0 if the layout is out of date, so that the device skips the solve; or NO_COUNT
@@ -42,7 +42,7 @@ static inline int solve_constraints(const Solve* solve) { return solve_first(sol
 int solve_bodies(const Solve* solve);
 int solve_runs_most(int substeps);
 
-// solve_taut raises inertias for taut joints, after the kernel solve_begin; solve_slack restores them after the passes.
+// solve_taut, after the kernel solve_begin: raises inertias of bodies with taut joints. solve_slack: restores them.
 void solve_taut(const Solve* solve, RunList* list);
 void solve_slack(const Solve* solve, RunList* list);
 

@@ -32,7 +32,7 @@ typedef enum // the lanes or work-items that process an item of a kernel
 {
 	WIDTH_ONE,
 	WIDTH_WIDE,  // one lane per item; a call processes an item in each lane
-	WIDTH_ALONE, // as WIDTH_ONE, for kernels that run rarely or on request; OpenCL's persistent kernel leaves them out
+	WIDTH_ALONE, // as WIDTH_ONE, for rare kernels; from here on, not in OpenCL's persistent kernel
 	WIDTH_GROUP, // a worker or a work-group processes an item; its lanes share the item
 	WIDTH_TEAM,  // as WIDTH_GROUP, but a worker uses only one lane
 } Width;
@@ -69,7 +69,7 @@ extern const char* const kernel_names[RUN_KINDS];
 extern const Stage kernel_stages[KERNEL_COUNT];
 extern const Width kernel_widths[KERNEL_COUNT];
 
-// Returns the value of Run.count that names a member of Counters.
+// Returns the value of Run.count that selects a member of Counters.
 #define COUNT(member) ((int)(offsetof(Counters, member) / sizeof(int)))
 #define NO_COUNT      (-1)
 

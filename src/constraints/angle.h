@@ -4,7 +4,7 @@
 #define ANGLE_H
 #include "dialect/vec.h"
 
-// Returns the angle of a rotation, from -pi to pi, by Gregory's series after a reduction to pi / 8; half a turn is pi.
+// rad: Returns the angle of a rotation, from -pi to pi (half a turn: pi), by the arctangent series for up to pi / 8.
 INLINE Real vec_angle(Vec rotation)
 {
 	Real x = absolute(rotation.x), y = absolute(rotation.y), sum = splat(0.0f);

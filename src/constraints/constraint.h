@@ -18,7 +18,7 @@
 #define IN_BOUNCE     (1 << PASS_BOUNCE)
 #define IN_PASSES     ((1 << PASS_KINDS) - 1)
 
-// Preparations, numbered behind the passes.
+// Preparations of rows, numbered after the passes.
 #define PREPARE           PASS_KINDS
 #define PREPARE_BOUNCE    (PASS_KINDS + 1) // prepared only in a world with restitution
 #define IN_PREPARE        (1 << PREPARE)
@@ -59,7 +59,7 @@
 #define ROW_UNLESS_PREPARED_PREPARED(x)
 #define ROW_UNLESS_PREPARED_KEPT(x) x
 
-// Raises a counter to the largest value of some lanes. The counter holds the bits of a float; no value is negative.
+// Raises a counter, the bits of a float, to the largest value of the lanes in the mask `lanes`. No value is negative.
 INLINE void raise_lanes(GLOBAL int* counter, Real value, Word lanes)
 {
 	for (int k = 0; lanes >> k != 0; ++k)

@@ -29,8 +29,8 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Load and store for forms of the solve that keep constraints in registers over a step: load_all loads the rows that
-// passes read and that are not prepared; store_kept stores the kept rows that passes write.
+// For forms of the solve that keep constraints in registers over a step: load_all loads the rows that passes read,
+// except prepared ones; store_kept stores the kept rows that passes write.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                     \
 	INLINE void kind##_load_all(const Pools* p, int i, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_LOAD_ALL); } \
 	INLINE void kind##_store_kept(const Pools* p, int i, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STORE_KEPT); }
@@ -50,7 +50,8 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Copies the kept rows from the old place to the slot, and from there to the new place, while constraints are laid out.
+// For a new layout: keep copies the kept rows of place i to the slot, put_back from the slot to the new place i. forget
+// clears the kept values of a slot; fetch_kept prefetches the kept rows of place i.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                              \
 	INLINE void kind##_keep(const Pools* p, int slot, int i)           \
 	{                                                                  \

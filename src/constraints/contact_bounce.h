@@ -4,7 +4,7 @@
 #define CONTACT_BOUNCE_H
 #include "constraints/contact_constraint.h"
 
-// Returns a body at the start of the step, with its speed within the limits.
+// Returns a body at the start of the step, with speed and spin limited to max_speed and max_spin.
 INLINE Body prepare_body(const Pools* p, Int index)
 {
 	Body b = body_gather(p, index);
@@ -13,7 +13,7 @@ INLINE Body prepare_body(const Pools* p, Int index)
 	return b;
 }
 
-typedef struct // both bodies at the start of the step, and the normal velocities of the points, m/s
+typedef struct // both bodies at the start of the step; normal velocities of the points, m/s, negative if they approach
 {
 	Int ia, ib;
 	ContactArms arms;
@@ -32,7 +32,8 @@ INLINE Approach prepare_velocities(const Pools* p, int i, const Contact* u)
 	return at;
 }
 
-// m/s^2: Returns a body's acceleration by gravity and forces; 0 if it is slow and another constraint supports it.
+// m/s^2: Returns a body's acceleration by gravity and forces. Returns 0 if the body is slower than gravity makes it in
+// a step, and another constraint may support it.
 INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 {
 	Real row[8], zero = splat(0.0f);
@@ -46,9 +47,9 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 }
 
 // m/s: Returns the rebound speed of a point by Newton's law of impact; 0 if it does not bounce. velocity: normal
-// velocity, negative if the surfaces approach; fall: m/s^2, normal acceleration; gap: m. With semi-implicit Euler,
-// position and velocity of a falling body are half a substep apart. To conserve energy, the acceleration during half a
-// substep is added to the velocity before the impact and subtracted after it (bounce_speed).
+// velocity, m/s, negative if the surfaces approach; fall: normal acceleration, m/s^2; gap: separation, m. With
+// semi-implicit Euler, position and velocity of a falling body are half a substep apart. To conserve energy, the
+// acceleration during half a substep is added to the velocity before the impact and subtracted after it (bounce_speed).
 INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, Real fall, Real gap)
 {
 	Real before = velocity + 0.5f * step->h * fall, zero = splat(0.0f);
@@ -57,8 +58,8 @@ INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, R
 	return blend(zero, restitution * root(blend(splat(1.0f), square, bounces)), bounces);
 }
 
-// J: Returns the energy that two bodies may have after a bounce: their relative kinetic energy at impact, which
-// includes the fall within the step, times the square of the restitution if the restitution is above 1.
+// J: Returns the maximum energy of two bodies after a bounce: their relative kinetic energy at impact, with an upper
+// bound of the gain by the fall within the step, and times e^2 if the restitution e is above 1.
 INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Real rebound1, Real rebound2)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), safe = blend(one, e, e > zero);
@@ -70,9 +71,9 @@ INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Re
 	return blend(splat(MOST_FLOAT), energy, energy <= splat(MOST_FLOAT));
 }
 
-#define MOST_FALL 1.0e18f // m/s^2: a larger fall counts as 0, so that the square of a speed stays finite
+#define MOST_FALL 1.0e18f // m/s^2: a larger normal acceleration counts as 0, so that squares of speeds stay finite
 
-// Computes the rebound speeds of the points that may bounce within the step; 0 for points that hardly approach.
+// Computes the rows of restitution. No point rebounds unless one approaches faster than restitution_threshold / 4.
 INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 {
 	Real e = load(&contact_rare(p, restitution, i), 0), zero = splat(0.0f), fall = zero, rebound1 = zero,
@@ -98,7 +99,7 @@ INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 	store(&contact_rare(p, rebound2, i), 0, rebound2);
 }
 
-// m/s: Computes the approach speeds of the points at the start of the step.
+// Stores the approach speeds of the points at the start of the step, m/s; 0 for points that do not approach.
 INLINE void prepare_approach(const Pools* p, int i, const Contact* u)
 {
 	Approach at = prepare_velocities(p, i, u);

@@ -15,7 +15,7 @@
 #define IN_GAPS     (IN_BIAS | IN_RELAX | IN_BOUNCE)
 #define IN_TANGENTS (IN_WARM_START | IN_RELAX)
 
-// Rows that every pass streams.
+// Rows that contacts need in every world.
 #define CONTACT_ROWS(X)                                                                 \
 	/* unit normal from collidable a to collidable b */                                 \
 	X(normal_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
@@ -61,8 +61,8 @@
 	X(approach2, details, PREPARED, 0.0f, IN_NONE, IN_PREPARE)
 
 // Columns of the stream (src/opencl/forms/registers.cl), for forms of the solve that do not keep contacts in registers.
-// QUAD(k, four numbers): column k; the first number of column 0 does not belong to the contact. PAIR(k, passes that
-// read the pair, passes that write it, two numbers). The last pass of a step writes to the rows instead.
+// QUAD(k, four numbers): column k of float4; `name` is a number of the caller. PAIR(k, passes that read the pair,
+// passes that write it, two numbers): column k of float2. The last pass of a step writes to the rows instead.
 #define CONTACT_STREAM(QUAD, PAIR)                                      \
 	QUAD(0, name, u->friction, u->normal_x, u->normal_y)                \
 	QUAD(1, u->anchor1_x, u->anchor1_y, u->anchor2_x, u->anchor2_y)     \
@@ -72,8 +72,8 @@
 	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
 	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
 
-// Bytes that prepare gathers for a contact; flags are gathered only if some shapes are round. CONTACT_BOUNCE_GATHERS:
-// bytes for the bodies of the contact, if some contacts have restitution.
+// Bytes that the preparation of a contact gathers from pools; flags are gathered only if some shapes are round.
+// CONTACT_BOUNCE_GATHERS: bytes gathered from its bodies, if some attribute has restitution.
 #define CONTACT_GATHERS(step) \
 	(sizeof(Int2) + 2 * sizeof(WorldShape) + sizeof(LocalManifold) + ((step)->round ? sizeof(Word) : 0))
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
@@ -115,7 +115,7 @@ typedef struct // the part of a pass that depends on the positions of the bodies
 typedef struct // the bodies of a contact, and the lever arms of its points
 {
 	Body a, b;
-	Vec n, t;         // normal from body a to body b; tangent
+	Vec n, t;         // unit vectors: normal from body a to body b; tangent
 	Vec ra[2], rb[2]; // m: arms from the centers of mass to the points
 } ContactArms;
 
@@ -134,13 +134,13 @@ INLINE ContactArms pair_of(const Contact* u, const Body* a, const Body* b)
 	return c;
 }
 
-// Returns the velocity of body b relative to body a at point k, along n.
+// m/s: Returns the velocity of body b relative to body a at point k, along n. With the normal: negative on approach.
 INLINE Real pair_approach(ContactArms c, int k, Vec n)
 {
 	return vec_dot(vec_sub(body_velocity_at(c.b, c.rb[k]), body_velocity_at(c.a, c.ra[k])), n);
 }
 
-// m: Returns the current separation of point k.
+// m: Returns the current separation of point k. separation: its value at the start of the step.
 INLINE Real pair_gap(const ContactArms* c, int k, Real separation)
 {
 	Vec moved = vec_sub(body_shift(c->b, c->rb[k]), body_shift(c->a, c->ra[k]));
@@ -152,19 +152,20 @@ INLINE Real pair_mass(const ContactArms* c, int k, Vec n)
 	return body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], n);
 }
 
-typedef struct // the goal of a point's impulse: a velocity bias, m/s, and softness
+typedef struct // goal of a point's impulse: velocity bias, m/s; softness as in the struct Softness
 {
 	Real bias, mass_scale, impulse_scale;
 } PairGoal;
 
 // Returns the goal of a point with separation s, m. soft: 1 in bias; relax (0) ignores the overlap, and so removes the
-// velocity of the push. fixed: lanes with an immovable body, which are firmer, so that nothing sinks into the ground.
-// exact: 1 if other constraints of the bodies are solved together with this contact, which is then firm at any depth.
+// velocity of the push. fixed: mask of lanes in which one body cannot move; their contacts are firmer, so nothing sinks
+// into the ground. exact: 1 if other contacts of the bodies are solved together with it; then all of the overlap is
+// firm.
 INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exact)
 {
 	Int apart = s > splat(0.0f);
 
-	// speculative contact: no push before the gap closes within the substep
+	// speculative contact (s > 0): the point gets an impulse only if its gap would close within the substep
 	PairGoal goal;
 	goal.bias = blend(splat(0.0f), s * step->inv_h, apart);
 	goal.mass_scale = splat(1.0f);
@@ -181,7 +182,7 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	Real push = rate * (s + firm * (exact ? s : maximum(s, -depth))), most = splat(-step->push_speed);
 	Real leak = blend(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
 	Int limited = push < most;
-	if (lane_bits(limited)) // few lanes are limited, so this saves a division
+	if (lane_bits(limited)) // the test often saves a division, because few lanes are limited
 		leak = leak * blend(splat(1.0f), most / push, limited);
 	Real mass_scale = blend(splat(step->pair.mass_scale), splat(step->fixed.mass_scale), fixed);
 	goal.bias = blend(maximum(push, most), goal.bias, apart);
@@ -190,13 +191,13 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	return goal;
 }
 
-// Returns whether a point that will bounce has not touched yet.
+// Returns whether a point that will bounce (rebound > 0) has a gap (s > 0) and no impulse so far (old = 0).
 INLINE Int pair_waits(Real s, Real old, Real rebound)
 {
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-#define PAIR_OWN 0.001f // two points nearly coincide if 1 - pair_cross^2 * (product of the masses) is less than this
+#define PAIR_OWN 0.001f // two points nearly coincide if 1 - pair_cross^2 * (product of effective masses) is below this
 
 // 1/kg: Returns the normal velocity that a unit impulse at one point causes at the other.
 INLINE Real pair_cross(const ContactArms* c)
@@ -206,15 +207,15 @@ INLINE Real pair_cross(const ContactArms* c)
 }
 
 // Solves the normal impulses of both points together: a linear complementarity problem, because no impulse is negative.
-// Solved one after the other, the points would turn a box in each pass, and would not take back a push completely. gap:
-// separations, m; mass: effective masses, kg. In relax, a point that will bounce (rebound > 0) and has not touched in
-// this substep gets no impulse; otherwise it would bounce too early, or not at all.
+// Solved one after the other, the points would turn a box in each pass, and relax would not remove all velocity of a
+// push. gap: separations, m; mass: effective masses, kg. In relax, a point that will bounce but has not touched yet
+// (pair_waits) gets no impulse; otherwise it would bounce too early, or not at all.
 INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], const Step* step, int soft,
                          const Real rebound[2], Real impulse[2])
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 	Real zero = splat(0.0f), lever_a[2], lever_b[2];
-	// N s: change of an impulse if the impulse of the other point stays the same; kg: this change per m/s of approach
+	// change, N s: change of an impulse if the other impulse stays the same; yield, kg: `change` per m/s of approach
 	Real change[2], yield[2];
 	UNROLL
 	for (int k = 0; k < 2; ++k)
@@ -236,7 +237,8 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 	Real cross = pair_cross(c);
 	Real by1 = yield[0] * cross, by0 = yield[1] * cross, own = 1.0f - by0 * by1;
 
-	// both points push; if the second would pull, the first is solved without it, and then the second again
+	// change of the second impulse if both points push, limited so that this impulse is not negative; then the first
+	// point is solved with this change, and the second again with the change of the first
 	Real second = blend(zero, (change[1] - by0 * change[0]) / own, own > splat(PAIR_OWN));
 	Real first = push_of(impulse[0] + (change[0] - by1 * maximum(second, -impulse[1]))) - impulse[0];
 	second = push_of(impulse[1] + (change[1] - by0 * first)) - impulse[1];
@@ -249,7 +251,8 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 	c->b.w = c->b.w + c->b.inv_inertia * (lever_b[0] * first + lever_b[1] * second);
 }
 
-// Solves the friction of one point: Coulomb's cone with the normal impulse of the relax pass.
+// Solves the friction of one point, and returns its new tangent impulse. limit, N s: Coulomb's limit, from the normal
+// impulse of the relax pass; speed: tangent speed of the surfaces, m/s; old: previous tangent impulse.
 INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limit, Real old)
 {
 	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
@@ -257,8 +260,8 @@ INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limi
 	return impulse;
 }
 
-// Solves rolling resistance: a torque against the relative spin, at most the load times a lever. The load is that of
-// the relax pass; the load of the bias pass varies within a step, so a fast roller would stop too early.
+// Solves rolling resistance: an angular impulse against the relative spin, at most the load times a lever arm. The load
+// is the normal impulse of relax; that of bias varies within a step, so a fast roller would stop too early.
 INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
@@ -289,7 +292,8 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// Computes impulses that add lack1 and lack2 (m/s) to the points' speeds; 0 for point 2 if the points nearly coincide.
+// Computes the normal impulses that together add lack1 and lack2, m/s, to the normal velocities of the points. If the
+// points nearly coincide, *impulse1 adds lack1 and *impulse2 is 0.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
                        Real* impulse2)
 {
@@ -312,7 +316,7 @@ INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap
 	Int meet = (load(&contact_rare(p, rebound1, i), 0) > zero) & (load(&contact_rare(p, rebound2, i), 0) > zero);
 	Real new1 = *normal1 + delta1, new2 = *normal2 + delta2;
 
-	// sequential impulses are correct if only one of the points pushes
+	// if only one point pushes, the impulses are left to pair_normals
 	meet = meet & ((new1 < zero) == (new2 < zero));
 	new1 = blend(*normal1, push_of(new1), meet);
 	new2 = blend(*normal2, push_of(new2), meet);
@@ -322,14 +326,15 @@ INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap
 	*normal2 = new2;
 }
 
-// m/s: Returns the speed, at the height `gap`, of a point that left the surface with the speed `rebound`.
+// m/s: Returns the speed, at the height `gap`, of a point that left the surface with the speed `rebound`. fall: normal
+// acceleration, m/s^2, whose effect in half a substep is subtracted (prepare_rebound).
 INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
 {
 	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
 }
 
-// J: Returns the kinetic energy of the relative motion of two bodies. It is measured in the frame of a body that cannot
-// move, because that body's motion is prescribed. Uniform gravity does not change the energy if both can move.
+// J: Returns the kinetic energy of the relative motion of two bodies. If one cannot move, the energy is measured in the
+// frame of this body, whose motion is prescribed. If both can move, uniform gravity does not change the energy.
 INLINE Real pair_energy(const ContactArms* c)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), mass = c->a.inv_mass + c->b.inv_mass;
@@ -343,16 +348,16 @@ INLINE Real pair_energy(const ContactArms* c)
 	return 0.5f * energy;
 }
 
-// J: Returns an upper bound of the energy that both points gain if the squares of their speeds grow by more1 and more2.
+// J: Returns an upper bound of the bodies' gain of energy if the squared speeds of the points grow by more1 and more2.
 INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
 {
 	Real zero = splat(0.0f), mass = c->a.inv_mass + c->b.inv_mass;
 	return 0.5f * maximum(maximum(more1, more2), zero) / blend(splat(1.0f), mass, mass > zero);
 }
 
-// Returns the largest fraction of two impulses of a bounce with which the energy of the bodies does not exceed `most`,
-// J, the energy before they met; 1 at most. Contacts are solved one after the other, so a later one may push harder
-// than the body approached.
+// Returns the largest fraction, from 0 to 1, of two impulses of a bounce that leaves the energy of the bodies at
+// `most`, J, or less, or at least does not increase it. Contacts are solved one after the other, so a later one may
+// otherwise push harder than the body approached.
 INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], const Real mass[2], Real impulse1,
                        Real impulse2)
 {
@@ -368,8 +373,8 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 	return blend(one, minimum(maximum(part, zero), one), more);
 }
 
-// Applies restitution to points that had an impulse in this step. Then clears the impulses of these points, because a
-// separating point must not be warm started.
+// Applies restitution to points that will bounce (rebound > 0) and had an impulse in this step. Then clears the
+// impulses of these points, because a separating point must not be warm started.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                         Real* normal1, Real* normal2)
 {
@@ -388,7 +393,7 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	impulse1 = blend(alone1, push_of(impulse1), hit1 & hit2 & push2);
 	impulse2 = blend(alone2, push_of(impulse2), hit1 & hit2 & push1);
 
-	// gravity changes the speeds within half a substep, and this change does not count as a gain of energy
+	// `most` includes the change of speeds by gravity since the bounce (bounce_speed), which is no gain of energy
 	Real more1 = blend(zero, leave1 * leave1 - rebound1 * rebound1, hit1),
 	     more2 = blend(zero, leave2 * leave2 - rebound2 * rebound2, hit2);
 	Real most = load(&contact_rare(p, energy, i), 0) + pair_gained(c, more1, more2);
@@ -403,9 +408,9 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	*normal2 = blend(*normal2, zero, hit2);
 }
 
-// Upper bound of a point's velocity by warm start, as a share of max_speed. In a jam between immovable bodies impulses
-// add up from step to step, and a body that gets free would leave with all of them: in 20 trials with 300 bodies at one
-// point and max_speed 400 m/s, the fastest leaves with 104, 92 and 95 m/s for shares of 0.25, 0.2 and 0.15.
+// Upper bound of the velocity that warm start gives a point, as a share of max_speed. In a jam between immovable bodies
+// impulses add up from step to step, and a body that gets free would leave with all of them: in 20 trials with 300
+// bodies at one point and max_speed 400 m/s, the fastest leaves with 104, 92 and 95 m/s for 0.25, 0.2 and 0.15.
 #define START_SHARE 0.2f
 
 INLINE Real pair_start(const Step* step, Real impulse, Real mass)
@@ -424,8 +429,8 @@ INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactA
 	u->normal_impulse2 = impulse[1];
 }
 
-// Without `held`, each gap and mass is computed just before its use: all of them together exceed a CPU's registers,
-// which takes 5 % longer.
+// Executes a relax pass. If `held` is null, each gap and mass is computed just before its use: all of them together
+// exceed the registers of a CPU, which takes 5 % longer.
 INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};
@@ -446,7 +451,7 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 	u->normal_impulse1 = impulse[0];
 	u->normal_impulse2 = impulse[1];
 
-	// friction follows the load: impulses of the bias pass also push overlap out, which causes no friction
+	// friction is limited by impulses of relax: those of bias also push overlaps apart, which causes no friction
 	Real mass = held ? u->tangent_mass1 : pair_mass(c, 0, c->t);
 	u->tangent_impulse1 = pair_tangent(c, 0, mass, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
 	mass = held ? u->tangent_mass2 : pair_mass(c, 1, c->t);
@@ -459,7 +464,7 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 
 // Functions that every kind of constraint has.
 
-// Derives the effective masses that the given passes need; they are constant within a step.
+// Derives the effective masses that passes (IN_* bits) need; they are constant within a step.
 INLINE void contact_derive(int passes, const Body* a, const Body* b, Contact* u)
 {
 	ContactArms c = pair_of(u, a, b);
@@ -472,7 +477,7 @@ INLINE void contact_derive(int passes, const Body* a, const Body* b, Contact* u)
 	}
 }
 
-// Limits the impulses of the last step, which warm start this step.
+// Limits the normal impulses of the last step (START_SHARE), which warm start this step.
 INLINE void contact_start(const Step* step, Contact* u)
 {
 	u->normal_impulse1 = pair_start(step, u->normal_impulse1, u->normal_mass1);

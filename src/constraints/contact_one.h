@@ -7,8 +7,8 @@
 
 INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }
 
-// Adds `by` (1 or -1; times KINEMATIC_CONTACT for a kinematic body) to the contact counts of the bodies. Body 0, for a
-// collidable without a body, and the second body of a contact with CONTACT_FIXED are not counted.
+// Adds `by` (1 or -1; times KINEMATIC_CONTACT if a body is kinematic) to the contact counts of the bodies. Body 0, for
+// a collidable without a body, and the second body of a contact with CONTACT_FIXED are not counted.
 INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
 {
 	GLOBAL int* count = flags & CONTACT_FIXED ? p->fixed_contacts : p->other_contacts;
@@ -27,7 +27,7 @@ INLINE void contact_set_surface(const Pools* p, int i, Float4 surface)
 	contact_rare(p, tangent_speed, i) = surface.w;
 }
 
-// Sets the rows that are valid until the next layout.
+// Sets the rows of a contact at place i that are valid until the next layout.
 INLINE void contact_set_place(const Pools* p, int slot, int i)
 {
 	p->contact_place_pair[i] = p->pair[slot];

@@ -15,9 +15,9 @@ typedef struct // the points of a contact, along world axes
 {
 	Vec normal;    // normal from collidable a to collidable b
 	Vec point[2];  // m: points midway between the surfaces, relative to the origin of collidable a
-	Vec anchor[2]; // m: the same points, relative to the center of mass of body a
+	Vec anchor[2]; // m: arms from the center of mass of body a to the points; for a held manifold, the held arms
 	Vec offset;    // m: from the center of mass of body b to that of a; anchor + offset is the anchor relative to b
-	Real separation[2]; // m
+	Real separation[2]; // m: negative for an overlap
 } ContactPoints;
 
 INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int c)
@@ -33,15 +33,16 @@ INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int 
 	return a;
 }
 
-// Returns how far the solver (body_shift) moves an arm's end, minus the true displacement. arm: after the motion.
+// Returns the displacement that the solver (body_shift) computes for the end of an arm, minus the true displacement, m.
+// turn, angle: rotation of the body; arm: arm after this rotation.
 INLINE Vec contact_points_predicted(Vec turn, Real angle, Vec arm)
 {
 	return vec_sub(vec_spin(angle, arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
 
-// Computes the points from rows of world_shape and from both rows of contact_manifold. The places of a point on both
-// shapes coincided at first; their current distance along the normal is added to the separation. For a predicted
-// manifold, whose poses are in the future, the motion of arms that the solver turns within the step is subtracted.
+// Computes the points from rows of world_shape and from both rows of contact_manifold. At the poses of the manifold,
+// the places of a point on both shapes coincide; their current distance along the normal is added to the separation.
+// For a predicted manifold (future poses), the error of the solver (contact_points_predicted) is subtracted.
 INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real manifold[16])
 {
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), from_a = vec(b[0] - a[0], b[1] - a[1]);

@@ -50,7 +50,7 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
-#define BODY_SOON 8 // host data is prefetched this many bodies ahead: the slots of a batch may be anywhere in memory
+#define BODY_SOON 8 // distance, in bodies, at which host data is prefetched: slots may be anywhere in memory
 
 static void fetch_rows(const void* rows, int index, size_t bytes)
 {
@@ -75,7 +75,7 @@ static void fetch_collidable(const scree_world* world, int collidable)
 	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
 }
 
-// Writes a body from a checked definition. index, slot: allocated slots of the body and of its collidable, if any.
+// Writes a body from a checked definition. index: slot of the body; slot: slot of its collidable, -1 for none.
 static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;

@@ -9,7 +9,7 @@
 // Bounds of masses that the user sets: inverse masses, and their products with squares of lever arms, stay finite.
 #define LEAST_MASS    1e-15f // kg
 #define LEAST_INERTIA 1e-20f // kg m^2
-#define MOST_MASS     1e30f  // kg, and kg m^2
+#define MOST_MASS     1e30f  // kg for masses, kg m^2 for inertias
 
 scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
 {

@@ -16,13 +16,13 @@
 typedef struct // a call of the user: its name, the kind of its command, and the names of its arguments
 {
 	const char* function;
-	int kind; // COMMAND_*
+	int kind; // one of COMMAND_*
 	const char* values;
-	const char* points; // null if the kind has no points
+	const char* points; // null if the call has no points
 	bool alone;         // true: the call is for a single body, so messages contain "body" and no index
 } Call;
 
-typedef struct // values of a call: only one of these arrays is set, but points may be set together with vectors
+typedef struct // values of a call: one array is set, the others are null; only `vectors` may have `points` in addition
 {
 	const float* numbers;
 	const scree_vec* vectors;

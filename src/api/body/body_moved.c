@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <string.h>
 
-// Fills a row. *moved was set to zero, including its padding, because programs send rows over networks.
+// Fills *moved. The caller has set all its bytes to 0, padding included, because programs send rows over networks.
 static void moved_fill(const scree_world* world, const MovedBody* row, scree_moved_body* moved)
 {
 	moved->body = body_handle(world, row->body);

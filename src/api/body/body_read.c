@@ -13,7 +13,7 @@
 // for each body. On a GPU, a read takes as long as the transfer of 100 kB.
 #define SPARSE_ROWS 1024
 
-typedef struct // rows of one pool, read for a batch
+typedef struct // rows of one pool, read for a batch of bodies
 {
 	const char* rows;
 	size_t bytes; // bytes of a row

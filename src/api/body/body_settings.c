@@ -143,7 +143,7 @@ scree_status scree_body_get_locks(const scree_world* world, scree_body body, uin
 	return SCREE_OK;
 }
 
-// Inserts the leaves of the bodies of a batch that become enabled. On failure, removes the inserted leaves.
+// Inserts the leaves of the disabled bodies that a batch enables. On failure, removes the inserted leaves.
 static scree_status insert_batch(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
 {
 	scree_status status = SCREE_OK;
@@ -163,14 +163,14 @@ static scree_status insert_batch(scree_world* world, const scree_body* bodies, c
 	return status;
 }
 
-// Enables or disables a body. The caller has reserved memory for the edits and inserted the leaves.
+// Enables or disables a body. The caller has reserved memory for edits and, to enable a body, inserted its leaves.
 static void enable(scree_world* world, int index, bool enabled)
 {
 	HostBody* host = world->host_bodies + index;
 	if (host->disabled == !enabled)
 		return;
 	if (enabled)
-		body_insert_leaves(world, host); // has no effect, unless an earlier entry of the batch disabled the body
+		body_insert_leaves(world, host); // inserts leaves only if an earlier entry of the batch disabled the body
 	else
 		body_remove_leaves(world, host);
 	host->disabled = !enabled;

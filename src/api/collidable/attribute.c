@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// attribute.c -- creates one attribute for all equal definitions, and destroys it when its last claim is removed.
+// attribute.c -- creates one attribute for equal definitions, and destroys it after as many destructions as creations.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/attributes.h"
@@ -21,7 +21,7 @@ void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size)
 	write_result(def, size, &made, sizeof made);
 }
 
-// Checks a definition, and replaces it by its canonical form, in which equal values have equal bytes.
+// Checks a definition, and replaces it by its canonical form: equal definitions then have equal bytes.
 static scree_status check_def(const char* function, scree_attribute_def* def)
 {
 	ArgumentPlace at = {function, "def", ALONE};

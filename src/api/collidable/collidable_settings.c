@@ -38,7 +38,7 @@ scree_status scree_collidable_get_attribute(const scree_world* world, scree_coll
 	return SCREE_OK;
 }
 
-// Marks the tree of a collidable for an update, because the box of the collidable changes.
+// Marks the tree of a collidable for an update, because its box will change; no effect if its body is disabled.
 static scree_status mark_tree(scree_world* world, int index)
 {
 	int kind = collidable_kind(world, index);

@@ -19,7 +19,7 @@ static scree_status check_material(const char* function, const char* argument, i
 	              material, MATERIALS - 1);
 }
 
-// Checks a value and adds its bit to *sets (MaterialPair.sets). The value NaN is not set: no bit is added.
+// Checks a value and adds `bit` to *sets (MaterialPair.sets). NaN means that the value is not set: it adds no bit.
 static scree_status check_part(ArgumentPlace at, const char* member, float value, float low, float high, int bit,
                                int* sets)
 {

@@ -2,7 +2,7 @@
 // contact_result.c -- converts a contact report to the contact that the user reads.
 #include "api/contact/contact_result.h"
 
-// Returns the details of a point. The point touched if it had an impulse or overlapped at the start of the step.
+// Returns the details of a point. It touched if it had an impulse, or no gap at the start of the step.
 static scree_contact_detail detail_of(float total_impulse, float approach_speed, float separation)
 {
 	return (scree_contact_detail){total_impulse, approach_speed, total_impulse > 0.0f || separation <= 0.0f};

@@ -4,8 +4,7 @@
 #define CONTACT_RESULT_H
 #include "world/world.h"
 
-// Returns a contact, without handles, from a row of the device. details: true adds impulses and speeds of the last
-// step.
+// Returns the contact of a row from the device, without handles and user words. details: true to set contact.details.
 scree_contact contact_result(const ContactReport* row, bool details);
 
 #endif

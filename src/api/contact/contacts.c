@@ -22,7 +22,7 @@ typedef struct // pools of contacts, and the world shapes of their collidables
 	int* color;
 	int* place;
 	ContactRows* blocks;
-	ContactRareRows* rare; // null unless the world stores details
+	ContactRareRows* rare; // null if the world does not store details
 	WorldShape* placed;
 } Rows;
 
@@ -47,7 +47,7 @@ static void release(Rows* rows)
 	scree_release(rows->placed);
 }
 
-// Returns whether a collidable took part in the last step and still exists.
+// Returns whether a collidable took part in the last step, still exists, and has kept its contacts since then.
 static bool was_there(const scree_world* world, int collidable)
 {
 	return slots_in_use(&world->collidables, collidable) &&
@@ -78,7 +78,7 @@ static ContactReport contact_report_at(const scree_world* world, const Rows* row
 	Attribute shapes[2];
 	if (row.flags & MANIFOLD_ROLLS)
 	{
-		// the shapes are those of the last step, even if the attributes have changed since then
+		// the current shapes are those of the last step, because a collidable with a new shape has lost its contacts
 		attribute_item(world, world->host_collidables[pair.x].attribute, shapes);
 		attribute_item(world, world->host_collidables[pair.y].attribute, shapes + 1);
 		a[6] = bits_float(0);
@@ -177,7 +177,7 @@ scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* o
 }
 
 // Writes the contacts that the device gathered, except those that ended because the user changed something after the
-// step.
+// step. *count: number of these contacts, which may exceed `capacity`.
 static scree_status list_rows(scree_world* world, const char* function, int found, scree_contact* contacts, size_t size,
                               int capacity, int* count)
 {

@@ -11,11 +11,11 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-// Minimum sizes, in bytes, of a scree_events that has all members up to approvals, and up to joints.
+// Minimum sizes of scree_events, in bytes: with all members up to `approvals`, and with all members up to `joints`.
 #define LEAST_WITH_APPROVALS (offsetof(scree_events, approvals) + sizeof(const scree_contact*))
 #define LEAST_WITH_VISITS    (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
 
-// Sets the handles and user words of both sides of a contact or a hit. before: as in reports_name.
+// Sets the handles, user words and destroyed_* of both sides of a contact or a hit. before: as in reports_name.
 #define NAME(world, event, first, second, before)                                         \
 	do                                                                                    \
 	{                                                                                     \

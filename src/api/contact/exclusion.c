@@ -67,7 +67,7 @@ scree_status scree_body_get_excluded(scree_world* world, scree_body body, scree_
 	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 	TRY(check_list(function, "others", others, capacity, count));
 	const HostBody* host = world->host_bodies + index;
-	// the list begins with the newest pair, so all pairs are sorted, and then those beyond `capacity` are dropped
+	// the list has the newest pair first, so all bodies are sorted by index before `capacity` limits their number
 	scree_body* all = world_scratch(world, (size_t)host->exclusions * sizeof *all);
 	if (!all && host->exclusions > 0)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d bodies", function, host->exclusions);

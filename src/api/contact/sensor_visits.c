@@ -32,7 +32,7 @@ scree_status scree_collidable_get_visits_sized(scree_world* world, scree_collida
 	if (!world->host_collidables[index].sensor)
 		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "sensor", ALONE}, "", "(index %u) is no sensor",
 		              sensor.index);
-	// visits that began before the collidable became this sensor are left out
+	// if the sensor was created or changed after the last step, the visits of that step do not count
 	bool was_there = world->host_collidables[index].born < world->pipeline.steps;
 	*count = was_there ? sensors_visits(world, index, &first) : 0;
 	for (int k = 0; k < *count && k < capacity; ++k)

@@ -7,8 +7,8 @@
 #include "world/shape/geometry.h"
 #include <stdio.h>
 
-#define MOST_STRENGTH 1e12f // maximum of strengths, drags and densities, in their units; it keeps results finite
-#define LEAST_FALLOFF 1e-3f // m
+#define MOST_STRENGTH 1e12f // maximum of strengths, drags, densities and the like, in SI units; it keeps results finite
+#define LEAST_FALLOFF 1e-3f // m: minimum of scree_field_def.radius
 
 void scree_field_def_default_sized(scree_field_def* def, size_t size, scree_field_type type)
 {

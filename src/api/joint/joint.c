@@ -150,7 +150,8 @@ scree_status scree_body_get_joints(const scree_world* world, scree_body body, sc
 	TRY(check_pointer(function, "world", world));
 	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 	TRY(check_list(function, "joints", joints, capacity, count));
-	// the list of a body begins with its newest joint; if `capacity` is too small, all joints are scanned by index
+	// the list of a body has its newest joint first, so it is sorted; if `capacity` is too small for it, all joints of
+	// the world are searched by index instead
 	int total = 0;
 	for (int end = world->host_bodies[index].first_joint; end > 0; end = joint_next(world, end))
 		++total;

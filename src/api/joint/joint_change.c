@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
-typedef struct // a batch of changes
+typedef struct // a change of one coordinate, of the frames, or of enabling, for a batch of joints
 {
 	scree_world* world;
 	ArgumentPlace joint, value;
@@ -16,7 +16,7 @@ typedef struct // a batch of changes
 	int count;
 	scree_coordinate which;
 	size_t member; // bytes: offset of the changed number in scree_joint_coordinate
-	bool moves;    // true: frames change
+	bool moves;    // true: the frames change
 } Change;
 
 typedef scree_status (*Setter)(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def);
@@ -69,7 +69,7 @@ static scree_status set_coordinate(const Change* change, ArgumentPlace at, const
 {
 	const scree_joint_coordinate* value = (const scree_joint_coordinate*)values + k;
 	TRY(check_coordinate(at, def->type, change->which, value));
-	// chains contain only joints with locks
+	// chains contain only joints with locks, so a new or removed lock may change the chains
 	change->world->chains_stale |= def->coordinates[change->which].locked != value->locked;
 	def->coordinates[change->which] = *value;
 	return SCREE_OK;

@@ -67,7 +67,7 @@ void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, siz
 	write_result(def, size, &made, sizeof made);
 }
 
-// Converts a pose in the world to a frame in a body; without a body the frame is the pose.
+// Converts a pose in the world to a frame of a body. If the body is null, the frame is the pose in the world.
 static scree_status place(scree_world* world, ArgumentPlace at, const char* member, scree_body body, scree_pose pose,
                           scree_pose* frame)
 {
@@ -95,7 +95,7 @@ scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scr
 	scree_pose frame_a, frame_b;
 	TRY(place(world, at, ".body_a", def->body_a, pose, &frame_a));
 	TRY(place(world, at, ".body_b", def->body_b, pose, &frame_b));
-	if (def->type != SCREE_JOINT_PATH) // frame A of a path joint is the frame of the path
+	if (def->type != SCREE_JOINT_PATH) // a path joint keeps frame A, which places the path
 		def->frame_a = frame_a;
 	def->frame_b = frame_b;
 	return SCREE_OK;

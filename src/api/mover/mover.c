@@ -86,7 +86,7 @@ static scree_status ground_poses(MoverCall* call, scree_pose* poses)
 	return SCREE_OK;
 }
 
-// Returns the displacement of a point that moves with a body from one pose to another, m.
+// m: Returns the displacement of a point on a body that moves from pose `from` to pose `to`. point: before the motion.
 static scree_vec ride(scree_pose from, scree_pose to, scree_vec point)
 {
 	scree_rot back = {from.rotation.c, -from.rotation.s};

@@ -6,8 +6,8 @@
 
 #define RECOVER_ROUNDS 8
 #define SLIDE_ROUNDS   5
-#define TOUCH          1e-4f // m: tolerance of the distance between mover and surface, which should be the skin
-#define BESIDE         0.02f // m: distance from the corner of a step to the ray that searches for its top
+#define TOUCH          1e-4f // m: tolerance of the distance between mover and surface, which should equal the skin
+#define BESIDE         0.02f // m: a ray that searches for the top of a step begins this far beside and above its corner
 
 static void ask(MoverCall* call, int k, scree_vec from, scree_vec translation)
 {
@@ -15,7 +15,7 @@ static void ask(MoverCall* call, int k, scree_vec from, scree_vec translation)
 	call->of[call->asked++] = k;
 }
 
-// m: Returns the length by which a probe may move until only the skin is left between it and the surface that it hits.
+// m: Returns the length by which probe k may move. If it hits a surface, the motion ends with the skin between them.
 static float free_length(const MoverCall* call, int k)
 {
 	scree_vec way = call->probes[k].translation;
@@ -28,9 +28,9 @@ static float free_length(const MoverCall* call, int k)
 	return s > 0.0f ? s : 0.0f;
 }
 
-// Casts each probe with the mover's shape and with a larger shape, and keeps the result that lets the mover move less
-// far. A cast ignores surfaces that the shape overlaps at the start, so the larger shape is enlarged by a little less
-// than the skin.
+// Casts each probe with the mover's shape and with a larger shape, and keeps the result that allows less motion. A cast
+// ignores surfaces that the shape overlaps at the start, so the larger shape is enlarged by a little less than the
+// skin.
 static scree_status cast(MoverCall* call)
 {
 	scree_query_result* wide = call->found + call->count;
@@ -73,7 +73,8 @@ static scree_vec clip(scree_vec v, scree_vec normal)
 	return against < 0.0f ? add_scaled(v, -against, normal) : v;
 }
 
-// Returns a velocity or motion v after a mover met a surface. A surface too steep to stand on lifts only rising movers.
+// Returns velocity or motion v of a mover without its part into a surface. If the surface is too steep to stand on, it
+// never makes the mover rise, or rise faster.
 static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 {
 	scree_vec up = call->def->up, free = clip(v, normal);
@@ -85,13 +86,14 @@ static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 	return clip(v, (scree_vec){level.x / length, level.y / length});
 }
 
-// Stops a mover at a surface: removes the parts of its remaining motion and velocity that point into the surface.
+// Stops a mover at a surface: stores it as ground or wall, and removes the parts of remaining motion and velocity that
+// point into the surface.
 static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collidable, scree_vec normal)
 {
 	scree_vec up = call->def->up;
 	if (is_ground(call, normal))
 	{
-		// ground ends a fall and changes nothing else, so that a walkable slope does not pull the mover down
+		// ground removes only falling velocity: a walkable slope must not turn a fall into a motion down the slope
 		w->velocity = clip(w->velocity, up);
 		w->rest = clip(w->rest, up);
 		if (dot(w->velocity, up) <= 0.0f)
@@ -106,7 +108,7 @@ static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collida
 		w->wall_normal = normal;
 		w->kept = w->velocity;
 		w->push = w->stood ? w->rest : (scree_vec){0.0f, 0.0f};
-		// falling velocity of a mover that stood is left out of the deflection at a wall
+		// a mover that stood keeps its falling velocity at a wall; the rest of its velocity is deflected
 		float fall = w->stood && dot(w->velocity, up) < 0.0f ? dot(w->velocity, up) : 0.0f;
 		w->velocity = add_scaled(deflect(call, add_scaled(w->velocity, -fall, up), normal), fall, up);
 	}
@@ -147,7 +149,7 @@ scree_status mover_recover(MoverCall* call)
 {
 	for (int round = 0; round < RECOVER_ROUNDS; ++round)
 	{
-		// the first round has all movers, a later round only the movers that the previous round moved
+		// the first round tests all movers, a later round only the movers that the previous round moved
 		int asked = round == 0 ? call->count : call->asked;
 		call->asked = 0;
 		for (int k = 0; k < asked; ++k)
@@ -223,7 +225,8 @@ static scree_status find_ground(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Lifts movers stopped by a wall onto a step: up, forward and down, unless there is no ground or the step is too high.
+// Moves movers that a wall stopped onto a step: up, forward and down. A mover stays where it is if there is no ground,
+// the step is too high, or the way forward is blocked.
 static scree_status climb(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;

@@ -35,7 +35,7 @@ typedef struct // a call of scree_movers_move
 	scree_ray* rays;
 	scree_query_result* found;
 	int* of;
-	scree_body* bodies; // bodies of the ground on which movers stand, and poses of these bodies
+	scree_body* bodies; // bodies on which movers stand; their poses are in `poses`
 	scree_pose* poses;
 } MoverCall;
 
@@ -45,7 +45,7 @@ static inline scree_vec add_scaled(scree_vec a, float s, scree_vec b)
 	return (scree_vec){a.x + s * b.x, a.y + s * b.y};
 }
 
-// Clamps a position to the edge of the world, SCREE_MAX_COORDINATE.
+// Clamps both coordinates of a position to the range of the world, up to SCREE_MAX_COORDINATE in each direction.
 scree_vec mover_within(scree_vec at);
 
 // Marks mover k as crushed by a collidable, and moves the mover back to its position at the beginning of the call.
@@ -54,14 +54,15 @@ void mover_crush(const MoverCall* call, int k, scree_collidable by);
 // Clears the mark of crushed movers that no longer overlap a surface. Called before any mover moves.
 scree_status mover_is_crushed(MoverCall* call);
 
-// Moves movers away from surfaces nearer than the skin. Movers that still overlap a surface after 8 rounds are crushed.
+// Moves movers away from surfaces nearer than the skin. Movers that overlap a surface in the last round (8) are
+// crushed.
 scree_status mover_recover(MoverCall* call);
 
 // Moves movers by their remaining motion; they slide along surfaces and climb steps.
 scree_status mover_slide(MoverCall* call);
 
-// Moves movers that touched no ground in this call and do not rise down to ground at most 2 skin below them, or at most
-// 2 skin + snap_distance below them if they stood on ground before.
+// Moves movers down to ground if they touched no ground in this call and do not rise. The ground may be 2 skin below
+// them, or 2 skin + snap_distance for movers that stood on ground before.
 scree_status mover_stand(MoverCall* call);
 
 #endif

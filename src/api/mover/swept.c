@@ -10,14 +10,14 @@
 #include "world/world.h"
 #include <math.h>
 
-#define SWEPT_FAR 0.5f // share of a mover's radius: mover_recover handles collidables that move less than this
+#define SWEPT_FAR 0.5f // share of the mover's radius: collidables that move less are left to mover_recover
 
 typedef struct // a moving collidable of a kinematic body
 {
 	scree_collidable handle;
 	scree_shape shape;
 	scree_pose from, to; // poses of the collidable's origin before and after the step, in the world
-	float reach, far;    // m: largest distance of the shape's points from the origin; largest displacement of a point
+	float reach, far;    // m: largest distance of a point of the shape from the origin; its maximum motion
 } Sweeper;
 
 // Returns the pose that a body's origin had dt seconds ago, computed from the body's velocity.
@@ -80,7 +80,8 @@ static int sweepers_of(const MoverCall* call, scree_body body, scree_pose now, s
 	return count;
 }
 
-// Computes the push of a sweeper on a mover: a displacement along the normal of the sweeper, 0 if they do not meet.
+// Computes the displacement *way by which a sweeper pushes a mover, m, along the normal of the sweeper. It is 0 if they
+// do not meet, or if they overlapped by more than half of the mover's radius before the step.
 static scree_status push_by(const MoverCall* call, const Sweeper* s, const MoverMotion* w, scree_vec* way)
 {
 	scree_pose at = {w->at, {1.0f, 0.0f}};
@@ -95,7 +96,7 @@ static scree_status push_by(const MoverCall* call, const Sweeper* s, const Mover
 	TRY(scree_shapes_get_impact(&s->shape, s->from, s->to, &call->shape, at, at, &found));
 	if (first.distance < -0.5f * call->def->radius || !found.hit)
 		return SCREE_OK;
-	// the point of the sweeper that hits the mover moves on to its final position, and pushes the mover that far
+	// the point of the sweeper that hit the mover moves on to its final position, and pushes the mover along the normal
 	scree_distance met;
 	float f = found.fraction;
 	scree_vec path = {s->to.position.x - s->from.position.x, s->to.position.y - s->from.position.y};
@@ -142,8 +143,8 @@ static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 
 static bool is_body(scree_body a, scree_body b) { return !scree_body_is_null(a) && a.index == b.index; }
 
-// Finds the sweeper that gives mover k the longest displacement, and this displacement, 0 for none. A sweeper on which
-// the mover stands gives it the displacement w->carried.
+// Finds the sweeper that gives mover k the longest displacement. *longest: this displacement, m, 0 for none. A sweeper
+// on which the mover stands gives it the displacement w->carried, instead of the motion w->rest.
 static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int count, scree_vec* longest,
                             scree_collidable* crusher)
 {

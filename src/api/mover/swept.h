@@ -4,8 +4,8 @@
 #define SWEPT_H
 #include "api/mover/mover_slide.h"
 
-// Pushes movers before their own motion. A mover that a static collidable stops is crushed. dt: duration of the step,
-// s.
+// Pushes movers before they move on their own. A pushed mover that hits a static collidable is crushed. dt: duration of
+// the step, s.
 scree_status mover_swept(MoverCall* call, float dt);
 
 #endif

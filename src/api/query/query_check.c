@@ -69,15 +69,15 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 
 typedef uint32_t Words4 __attribute__((vector_size(16))); // half of a ray or a probe
 
-typedef struct // for each word of an item: mask of the compared bits; largest allowed integer
+typedef struct // bounds of each word of an item. counts: mask of the compared bits; most: largest integer
 {
 	Words4 counts[2], most[2];
 } PlainBits;
 
-// Returns the number of leading items that are certainly within bounds. Sets *ignores to false if all items are, and
-// none of them ignores a body, whose handle is in the last two words; otherwise to true. Nonnegative floats are ordered
-// like their bits, with NaN beyond infinity; a word above its bound sets the highest bit. Float comparisons took 6 ms
-// for a million rays.
+// Returns the number of leading items that are certainly within bounds. Sets *ignores to false only if all items are
+// within bounds and no item ignores a body, whose handle is in its last two words. Words are compared as integers,
+// because nonnegative floats are ordered like their bits, and NaN is above infinity. A word above its bound has a
+// negative difference, with the highest bit set. Float comparisons took 6 ms for a million rays.
 static int plain_items(const void* items, int count, const PlainBits* plain, bool* ignores)
 {
 	Words4 bodies = {0};

@@ -98,7 +98,7 @@ scree_status scree_world_find_nearest(scree_world* world, const scree_query_def*
 	TRY(query_probes(world, shape, &query_items, &questions));
 	query_items.longest = 0.0f;
 	questions.form = QUERY_NEAREST;
-	// the distance between two points of the world is less than this bound, whose square is finite
+	// no two points of the world are as far apart as the upper limit, and its square is finite
 	questions.plan.most = distance < 4.0f * SCREE_MAX_COORDINATE ? distance : 4.0f * SCREE_MAX_COORDINATE;
 	return answer(world, function, &questions, found);
 }

@@ -5,7 +5,7 @@
 #include "stages/geometry/convex_sum.h"
 #include "world/shape/geometry.h"
 
-#define IMPACT_DISTANCE (0.05f * LINEAR_SLOP) // m: shapes at this distance have met
+#define IMPACT_DISTANCE (0.05f * LINEAR_SLOP) // m: shapes at this distance, or closer, have met
 #define IMPACT_ROUNDS   200
 
 typedef struct // two shapes with their poses; q, turn: pose of shape b in the frame of shape a
@@ -149,7 +149,7 @@ static scree_pose pose_then(const Way* m, float time)
 	                    rot_product(m->from.rotation, scree_rot_make(time * m->angle))};
 }
 
-// Returns an upper bound of the displacement of a point of a shape by the rotation, m.
+// m: Returns an upper bound of the displacement of a corner of a shape by the rotation of a motion.
 static float swing(const Way* m, const Attribute* shape)
 {
 	float square = 0.0f;
@@ -161,7 +161,7 @@ static float swing(const Way* m, const Attribute* shape)
 	return absolute(m->angle) * square_root(square);
 }
 
-// Returns the impact of two moving shapes. Each round advances by the least time in which they can close the distance.
+// Returns the impact of two moving shapes, if any. Each round advances by the shortest time in which they can meet.
 static scree_query_result advance(Pair* pair, const Way* a, const Way* b)
 {
 	scree_vec path = {(b->to.position.x - b->from.position.x) - (a->to.position.x - a->from.position.x),

@@ -5,7 +5,7 @@
 #include "world/failure.h"
 #include "world/world.h"
 
-#define MOST_BYTES  ((size_t)256 << 20) // bytes of a block; halved, down to LEAST_BYTES, if two blocks do not fit
+#define MOST_BYTES  ((size_t)256 << 20) // bytes of a block; halved, down to LEAST_BYTES, until memory has space for two
 #define LEAST_BYTES ((size_t)1 << 20)
 #define TRIES       4     // number of tries; the fastest counts
 #define COPIES      8     // copies per try; many, so that the time to start and end a try has little effect

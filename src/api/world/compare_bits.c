@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// compare_bits.c -- compares the bits of a device with those of the CPU, as some drivers misreport their arithmetic.
-// A small world of all shapes falls, bounces, slides and rolls on the device and on the CPU: contracted products, other
-// rounding of divisions and flushed denormals change its hash.
+// compare_bits.c -- compares the bits of a device with those of the CPU, as some drivers misreport their arithmetic. In
+// a small world, bodies of all shapes fall, bounce, slide and roll on the device and on the CPU. Contracted products,
+// other rounding of divisions and flushed denormals change the hash of this world.
 #include "api/world/compare_bits.h"
 #include "platform/error.h"
 #include "world/create.h"
 #include "world/world.h"
 
-#define SIDE  7  // the sample has SIDE * SIDE bodies
+#define SIDE  7  // the sample world has SIDE * SIDE dynamic bodies and a floor
 #define STEPS 32 // after these steps the lowest bodies have landed
 
 static scree_status sample_attributes(scree_world* world, scree_attribute attributes[4])

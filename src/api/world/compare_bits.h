@@ -4,7 +4,7 @@
 #define COMPARE_BITS_H
 #include "backend/backend.h"
 
-// Steps a sample world on the device and on the CPU; fails if the hashes differ. Then clears all pools of the device.
+// Steps a sample world on the device and on the CPU. Fails if the hashes differ; else clears all pools of the device.
 scree_status compare_bits(Backend* backend);
 
 #endif

@@ -43,7 +43,7 @@ scree_status scree_world_move(scree_world* world, const char* device)
 	}
 	if (strcmp(device, world->device) != 0)
 	{
-		TRY(reports_fetch(world)); // a move does not copy the events
+		TRY(reports_fetch(world)); // a move does not copy the events, so they are read before it
 		scree_world_def def = world->def;
 		def.device = device;
 		Backend *from = world->backend, *to;

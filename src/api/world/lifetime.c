@@ -140,7 +140,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	TRY(world_note(world, status));
 	world->reports.fetched = false;
 	status = sensors_update(world, function);
-	if (status != SCREE_OK) // the step is done, and later steps would miss its visits
+	if (status != SCREE_OK) // the step is complete without its visits, so later steps would miss them
 		world->broken = status;
 	TRY(world_note(world, status));
 	world->pipeline.milliseconds = milliseconds;

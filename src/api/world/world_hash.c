@@ -15,7 +15,7 @@
 
 static Word64 hash_pose(Word64 h, scree_pose pose) { return hash_float4(h, pose_row(pose)); }
 
-// Hashes a disabled body: its gravity scale and its collidables, which the device does not hash.
+// Hashes type, gravity scale and collidables of a disabled body, which the device does not hash.
 static Word64 hash_disabled(const scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
@@ -30,7 +30,7 @@ static Word64 hash_disabled(const scree_world* world, int body)
 	return sum;
 }
 
-// Hashes a mass set by the user. The device has the mass of a body only while the body is dynamic.
+// Hashes a mass set by the user, because the device has the mass of a body only while the body is dynamic.
 static Word64 hash_own_mass(int body, scree_mass mass)
 {
 	return hash_float4(hash_begin(HASH_OWN_MASS, body),
