@@ -11,8 +11,8 @@ INLINE void prepare_depth(const Pools* p, Real separation)
 	raise_lanes(&p->counters->penetration, -separation, deeper);
 }
 
-// Sets Counters.press[1] if a contact is deep in a kinematic collidable, press[0] if it is deep in one that cannot
-// move. It is the second collidable of the pair.
+// Tests whether the overlap of a contact with the second collidable of its pair exceeds PRESS_START (static) or
+// PRESS_FROM (other kinds). Then sets Counters.press[1] if this collidable is kinematic, or press[0] if it cannot move.
 INLINE void prepare_press(const Pools* p, int i, Real separation)
 {
 	Word deep = p->step.presses ? lane_bits(separation < splat(-PRESS_FROM)) : 0;
@@ -25,7 +25,7 @@ INLINE void prepare_press(const Pools* p, int i, Real separation)
 	}
 }
 
-// Computes the points of constraint i for the passes. Padding, which has no slot, stays inert.
+// Computes the points of constraint i for the passes. Padding, which has slot -1, gets no points.
 INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 {
 	Int there = slot >= 0, ia, ib;
@@ -68,7 +68,7 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	return points;
 }
 
-#define PREPARE_SOON 32 // distance, in constraints, at which data is prefetched before it is prepared
+#define PREPARE_SOON 32 // number of constraints between the one being prepared and the one whose data is prefetched
 
 INLINE void contact_prepare_fetch(const Pools* p, int i)
 {

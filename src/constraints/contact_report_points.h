@@ -4,7 +4,7 @@
 #define CONTACT_REPORT_POINTS_H
 #include "constraints/rolling.h"
 
-// Computes the points from the rows that rolling.h needs, relative to the origin of collidable a.
+// Computes the points at the current poses, relative to the origin of collidable a. a, b: WorldShape rows.
 INLINE ContactPoints contact_report_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
                                            const Real manifold[16], Word flags, Int2 features)
 {
@@ -17,7 +17,7 @@ INLINE ContactPoints contact_report_points(const GLOBAL Attribute* shapes, const
 	return contact_points_held(a, b, manifold);
 }
 
-// Writes the points to a row; x, y: the origin of collidable a, m.
+// Writes normal, points and separations to a report. x, y: m, origin of collidable a in the world.
 INLINE void contact_report_place(ContactReport* row, const ContactPoints* at, Real x, Real y)
 {
 	row->normal_x = at->normal.x;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // coupling.h -- computes the one coordinate of a gear or a pulley: along = measure of b + ratio * measure of a.
 //
-// The measure of a body is that of its frame in its base, a frame of the world that does not move: the angle over all
+// A measure describes the joint frame of a body relative to its base, a frame fixed in the world: the angle over all
 // turns, the translation of the anchor along the base's x axis, or the distance of the anchor from the base. Locks,
 // limits, springs and motors act on this coordinate as on those of other joints.
 //
@@ -14,7 +14,7 @@
 typedef struct // one side of a coupling
 {
 	Vec direction;     // derivative of the measure by the body's translation; 0 for an angle
-	Real lever, value; // derivative by the body's rotation; change of the measure in the step, or the whole distance
+	Real lever, value; // derivative by the angle; change of an angle or translation in the step, or a whole distance
 } CouplingSide;
 
 // Computes a side. arm: m, arm of the anchor at the start of the step; line: CouplingMeasure.line.
@@ -32,7 +32,7 @@ INLINE CouplingSide coupling_side(const Joint* u, int side, Vec line, Vec arm, c
 	return s;
 }
 
-// In lanes with a coupling, replaces the first coordinate of a joint by the coordinate of the coupling.
+// In lanes with a coupling, replaces value, axis and levers of the joint's coordinate along by those of the coupling.
 OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	if (!p->step.couplings)
@@ -67,7 +67,7 @@ INLINE void coupling_store(const Pools* p, int i, const JointPose* c)
 	store(&joint_rare(p, given_a_y, i), 0, c->given_a.y);
 }
 
-// Returns whether a coupling measures an angle of body b. An impulse of the coupling is then an angular one, N m s.
+// Returns the lanes with a coupling that measures the angle of body b. Impulses of such a coupling are angular, N m s.
 INLINE Int coupling_turns(const Joint* u) { return joint_has(u, JOINT_COUPLED) & (joint_has(u, JOINT_LINEAR(1)) == 0); }
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // coupling_one.h -- computes the coordinate of a gear or a pulley, for one joint at a time.
 //
-// Angles include all full turns, so floats of large angles are coarse. Each step thus adds the change of the angles to
-// the stored coordinate. So the ratio of a gear can change while the gear turns, and the coordinate does not jump.
+// Angles include all full turns, and a float rounds large angles coarsely. Therefore each step adds only the change of
+// the angles to the stored coordinate. This also lets the user change the ratio of a turning gear without a jump.
 #ifndef COUPLING_ONE_H
 #define COUPLING_ONE_H
 #include "constraints/joint_prepare.h"
@@ -11,15 +11,15 @@
 
 typedef struct // counts of a coupling, updated at the start of each step
 {
-	float angle[2], turns[2]; // for bodies a and b: last angle, rad; number of turns
+	float angle[2], turns[2]; // last angles of bodies a and b, rad; their numbers of full turns
 	float geared;             // rad: contribution of the angles to the coordinate
 } CouplingCount;
 
-typedef struct // one side of a coupling in the world
+typedef struct // one side of a coupling, in the frame of the world
 {
-	Vec line;           // distance: vector from the base to the anchor, m; translation: x axis of the base; angle: 0
+	Vec line;           // for a distance, vector from base to anchor, m; for a translation, x axis of the base; else 0
 	Vec arm;            // m: vector from the center of mass to the anchor
-	float value, added; // m or rad: measure of the side; rad: change of an angle since the last count
+	float value, added; // m or rad: measure; rad: change of an angle since the last count, 0 for other measures
 } CouplingMeasure;
 
 INLINE CouplingCount coupling_count_new(const Pools* p, int slot)
@@ -78,10 +78,10 @@ INLINE CouplingMeasure coupling_measure(const Pools* p, int slot, int side, Coup
 	return m;
 }
 
-typedef struct // a coupling in the world
+typedef struct // both sides of a coupling, and its coordinate
 {
 	CouplingMeasure sides[2];
-	float value; // value of the coordinate, without the distances of pulleys
+	float value; // m or rad: value of the coordinate, without the distances of pulleys
 } CouplingState;
 
 INLINE CouplingState coupling_state(const Pools* p, int slot, CouplingCount* count)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // joint_constraint.h -- a joint as a constraint: three coordinates of a frame of body b in a frame of body a.
 //
-//     d = anchor of b - anchor of a      u = axis      w = left of u
+//     d = anchor of b - anchor of a      u = axis      w = u turned left by 90 degrees
 //     along = u . d      across = w . d      angle = angle of b - angle of a
 //
 // Locked coordinates are solved together, as a symmetric 3 x 3 system, after limits, springs and motors
-// (joint_drive.h), because locks have priority.
+// (joint_drive.h): the equations that are solved last hold best, and locks have priority.
 //
-// Arms turn within a step, so the same impulses change velocities by different amounts in each substep, but
-// integrate.h assumes equal amounts. Therefore a joint stores the impulses applied to its bodies. The bias pass first
-// applies the difference between these and the effect of the joint's impulses at the current arms.
+// Arms turn within a step, so the same impulses change velocities by different amounts in each substep, but integrate.h
+// assumes equal amounts. Therefore a joint stores the impulses applied to its bodies. The bias pass first computes the
+// impulses at the current arms, and applies their difference from the stored ones.
 //
 // This work is based on:
 // Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a bias pass and a relax pass per substep.
@@ -22,7 +22,7 @@
 #define IN_POSED (IN_WARM_START | IN_BIAS | IN_RELAX)
 #define IN_TURNS (IN_BIAS | IN_RELAX)
 
-// Rows that every pass streams.
+// Rows of every joint in every step.
 #define JOINT_ROWS(X)                                                                \
 	/* axis and, in m, anchors from the centers of mass, at the start of the step */ \
 	X(axis_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)      \
@@ -53,13 +53,14 @@
 	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                         \
 	/* velocity change by the warm start, in units of START_SHARE */                 \
 	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)                     \
-	/* impulses applied: N s, to body b, negated to body a; N m s, to both bodies */ \
+	/* impulses applied, to body a negated: N s; N m s, separate for each body */    \
 	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
-// Drive of a coordinate. Units: m or rad, 1/s, N s or N m s. In relax, spring_relaxes is the softness of a soft lock.
+// Rows for limits, spring and motor of a coordinate: positions in m or rad, rates in 1/s, impulses in N s or N m s. For
+// a soft lock, spring_relaxes is its softness in the relax pass.
 #define JOINT_DRIVE_ROWS(X, of)                                              \
 	X(of##_lower, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
 	X(of##_upper, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
@@ -94,13 +95,13 @@
 	X(turns_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                   \
 	X(turns_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                   \
 	X(geared, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                    \
-	/* N s: the opposite of this was applied to body a */                                       \
+	/* N s: impulse whose opposite was applied to body a */                                     \
 	X(given_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)                    \
 	X(given_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
 // Rows of joints on a path (path_constraint.h).
 #define JOINT_PATH_ROWS(X)                                                                               \
-	/* foot: the point of the path nearest to anchor b, in frame A, m; cos, sin of its tangent */        \
+	/* foot: the point of the path nearest to anchor b, in frame A, m; cos, sin of the tangent there */  \
 	X(foot_x, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                             \
 	X(foot_y, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                             \
 	X(foot_cos, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                           \
@@ -111,7 +112,7 @@
 	X(bend, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                 \
 	X(sway, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                 \
 	X(beside, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                               \
-	/* last position: number of the sample before it, laps, and start of the next search, PATH_* */      \
+	/* last position on the path: sample before it, laps; PATH_*: start of the next search */            \
 	X(path_segment, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                           \
 	X(path_laps, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                              \
 	X(path_seeks, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)
@@ -139,7 +140,7 @@
 	PAIR(3, IN_POSED, IN_POSED, u->given_y, u->given_a)                  \
 	PAIR(4, IN_PASSES, IN_POSED, u->given_b, u->carried)
 
-// Bytes that prepare gathers for a joint: its data, and the poses and centers of its bodies.
+// Bytes that prepare gathers for a joint: its JointData, and the pose, pose_low and local_center of both bodies.
 #define JOINT_GATHERS(step)  (sizeof(JointData) + 2 * (sizeof(Float4) + 2 * sizeof(Float2)))
 #define JOINT_BOUNCE_GATHERS 0
 
@@ -184,23 +185,23 @@ typedef struct // a joint in registers
 typedef struct // the bodies and the current coordinates of a joint
 {
 	Body a, b;
-	Vec axis[2];                         // directions of the coordinates along and across
-	Vec arm_a, arm_b;                    // arms from the centers of mass to the anchor of body b
+	Vec axis[2];                         // directions of the coordinates `along` and `across`
+	Vec arm_a, arm_b;                    // arms from centers of mass to the anchor of body b; arm_a may be shortened
 	Real lever_a[2], lever_b[2];         // levers of a unit impulse along the axes
 	Real mass, value[JOINT_COORDINATES]; // 1/kg: sum of the inverse masses; m, m, rad: coordinates
 	Word couples;
 	Int coupled;
 	Int torn;            // springs hold both translations, and are stretched so far that the arm of body a is shortened
-	Vec axis_a, given_a; // in lanes with a coupling: axis of `along` at body a, and impulse applied to body a
+	Vec axis_a, given_a; // for couplings: axis of `along` at body a; N s, impulse whose opposite was applied to body a
 	Word rails;
 	Int railed;
-	Real bend; // in lanes on a path: curvature at the current point, 1/m
+	Real bend; // in lanes on a path: 1/m, curvature of the parallel curve through anchor b
 } JointPose;
 
 // Returns the lanes that have at least one of the given modes.
 INLINE Int joint_has(const Joint* u, int mode) { return (whole(u->modes) & mode) != 0; }
 
-// Returns whether the axes of a joint are those of the world. If both translations are rigid, any axes are suitable,
+// Returns the lanes whose axes are those of the world. If rigid locks hold both translations, any axes are suitable,
 // and impulses along axes of the world stay valid longer than impulses along axes of a body.
 INLINE Int joint_upright(const Joint* u)
 {
@@ -208,7 +209,8 @@ INLINE Int joint_upright(const Joint* u)
 	       (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS) | JOINT_RAILED) == 0);
 }
 
-// Returns, in radial lanes, the direction of d, the vector between the anchors; in others, or if d is near 0, `axis`.
+// Returns the direction of d, the vector between the anchors, in lanes with `radial`. Returns `axis` in other lanes,
+// and if d is shorter than 1e-6 m or longer than 1e15 m.
 INLINE Vec joint_line(Vec axis, Vec d, Int radial)
 {
 	Real square = vec_dot(d, d);
@@ -225,11 +227,11 @@ INLINE void joint_alone(JointPose* c)
 	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
 }
 
-#define JOINT_FAR 2.0f // maximum error of locks for the full arm of body a, in units of the body's radius of gyration
+#define JOINT_FAR 2.0f // error of locks above which the arm of body a is shortened; unit: radius of gyration of body a
 
-// Returns whether springs hold both translations, and the vector between the anchors (d, m) is longer than JOINT_FAR
-// allows. Then the axes are those of the world, and impulses keep their directions. Because the arm of body a is
-// shortened, body a cannot take the torque of a force that turns with it; this force would spin body b ever faster.
+// Returns the lanes in which soft locks hold both translations, and d, the vector between the anchors (m), is longer
+// than JOINT_FAR radii of gyration. Their axes are those of the world, so that forces do not turn with body a: its arm
+// is shortened and takes too little of the opposite torque, so a force that turns would spin body b ever faster.
 INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
 {
 	if (!p->step.springs)
@@ -239,7 +241,7 @@ INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
 	return springs & (a->inv_inertia * vec_dot(d, d) > splat(JOINT_FAR * JOINT_FAR) * a->inv_mass);
 }
 
-// m: Returns how far a translation is outside its limits, negative below the lower limit; 0 within the limits.
+// m: Returns how far a translation is outside its limits, negative below the lower limit; 0 between or without limits.
 INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real value)
 {
 	Real zero = splat(0.0f);
@@ -250,9 +252,9 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 	return blend(zero, value - minimum(maximum(value, lower), upper), limited);
 }
 
-// Shortens the arm of body a. The arm ends at the anchor of body b, so that no impulse of the joint changes the angular
-// momentum. But if locks are so far off that impulses on this arm would turn body a rather than pull body b back, the
-// arm ends nearer to the anchor of body a; body a's other joints could not hold against such a turn.
+// Shortens the arm of body a if locks or limits have errors above JOINT_FAR. Normally the arm ends at the anchor of
+// body b, so that no impulse of the joint changes the angular momentum. But on a very long arm impulses would turn body
+// a, against its other joints, rather than pull body b back. So the arm then ends nearer to the anchor of body a.
 INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;
@@ -278,7 +280,7 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 	}
 }
 
-// Computes the pose of a joint whose bodies are set.
+// Computes the other members of *c from the bodies c->a and c->b, without the effects of couplings and paths.
 OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	const Body *a = &c->a, *b = &c->b;
@@ -329,7 +331,7 @@ INLINE Real joint_speed_linear(const JointPose* c, int k)
 	return blend(speed, (vec_dot(c->b.v, c->axis[0]) - vec_dot(c->a.v, c->axis_a)) + spin, c->coupled);
 }
 
-// m/s, rad/s: Returns the speed of coordinate k (constant). The angle to a path also changes as its tangent turns.
+// m/s, rad/s: Returns the speed of coordinate k. On a path, the angle also changes because the tangent turns.
 INLINE Real joint_speed(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)
@@ -354,7 +356,7 @@ INLINE Real joint_yield_turning(const JointPose* c, int k)
 	return c->a.inv_inertia * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k];
 }
 
-// 1/kg, 1/(kg m^2): Returns the yield of coordinate k: its speed by a unit impulse, the inverse of its effective mass.
+// 1/kg, 1/(kg m^2): Returns the yield of coordinate k: speed change by a unit impulse, the inverse effective mass.
 INLINE Real joint_yield(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)
@@ -366,7 +368,7 @@ INLINE Real joint_yield(const JointPose* c, int k)
 	return blend(own, own + c->bend * along, c->railed);
 }
 
-typedef struct // impulses on body b, N s and N m s; body a gets the opposite
+typedef struct // N s, N m s: push and angular_b act on body b, the opposite of push_a and angular_a on body a
 {
 	Vec push, push_a;
 	Real angular_a, angular_b;
@@ -384,7 +386,7 @@ INLINE JointImpulse joint_impulse(const JointPose* c, Real along, Real across, R
 	return j;
 }
 
-// Applies impulses, and adds them to the applied impulses of the joint.
+// Applies impulses to both bodies, and adds them to the sums of applied impulses that the joint stores.
 INLINE void joint_give(Joint* u, JointPose* c, JointImpulse j)
 {
 	c->a.v = vec_sub(c->a.v, vec_scale(c->a.inv_mass, j.push_a));
@@ -415,7 +417,7 @@ INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 	c->given_a = vec_blend(c->given_a, then.given_a, wanted);
 }
 
-// Returns an impulse of either sign; 0 if it is NaN or exceeds MOST_IMPULSE.
+// Returns x, an impulse of either sign; 0 if x is NaN or its absolute value exceeds MOST_IMPULSE.
 INLINE Real bounded_impulse(Real x) { return blend(splat(0.0f), x, absolute(x) <= splat(MOST_IMPULSE)); }
 
 #endif

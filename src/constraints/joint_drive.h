@@ -4,7 +4,7 @@
 #define JOINT_DRIVE_H
 #include "constraints/joint_spring.h"
 
-// rad/s: greatest speed at which locks and limits correct angles outside of chains. With 10, sliders in a row that a
+// rad/s: maximum speed at which limits, and locks outside of chains, correct angles. With 10, sliders in a row that a
 // mouse tore apart by 200 m stay apart: forces on the long arms turn the bodies faster than the correction turns them
 // back. A limit without this bound lets a body turn by half a turn in a step, and such turns cannot be counted.
 #define JOINT_TURNING 30.0f
@@ -60,7 +60,7 @@ INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error
 	return bounded_impulse(d->spring_impulse + change);
 }
 
-// Returns the impulse of a spring in relax. An impulse at its bound is unchanged: only bias computes the excess.
+// Returns a spring's impulse in relax. An impulse at its bound stays: only bias computes the excess over the bound.
 INLINE Real joint_spring_relaxed(const JointDrive* d, Real yield, Real speed, Int full)
 {
 	Real old = d->spring_impulse;
@@ -80,8 +80,8 @@ INLINE Real joint_spring_left(const JointDrive* d)
 	return minimum(maximum(left, minimum(whole, zero)), maximum(whole, zero));
 }
 
-// Returns the part of a limit's impulse under which the limit gives way. The part that opposes the spring of the same
-// joint is not soft, because it is already computed. sign: direction of the limit's impulses; impulse: their size.
+// Returns the part of a limit's impulse to which the limit yields: all but the part that opposes the spring of the same
+// coordinate, which is already computed. sign: direction of the limit's impulse, 1 or -1; impulse: its absolute value.
 INLINE Real joint_limit_load(const JointDrive* d, Real sign, Real impulse)
 {
 	Real zero = splat(0.0f);
@@ -89,7 +89,7 @@ INLINE Real joint_limit_load(const JointDrive* d, Real sign, Real impulse)
 }
 
 // Returns the speed at which a coordinate may approach a limit at the distance `ahead`. Beyond the limit `ahead` is
-// negative, and so is the result in bias: the coordinate must return at this speed.
+// negative. The result is then negative in bias, because the coordinate must return, and 0 in relax.
 INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, int k, Real ahead, int soft)
 {
 	Real zero = splat(0.0f), most = splat(k == JOINT_ANGLE ? JOINT_TURNING : p->step.max_speed);
@@ -110,8 +110,8 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, 
 }
 
 // Returns the target speed of a motor: the user's speed, reduced so that it does not lead through the nearer limit.
-// Otherwise motor and limit would push with the motor's maximum, and the limit would yield: a body of 1 kg moves 29 m
-// at 1e8 N.
+// Otherwise motor and limit would push against each other, and the limit would yield: with a motor of 1e8 N, a body of
+// 1 kg moved 29 m. limit: lanes with a limit.
 INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real value, Int limit, int soft)
 {
 	Real below = value - d->lower, above = d->upper - value;
@@ -154,14 +154,15 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 	joint_give_where(u, c, j, joint_has(u, JOINT_HAS_DRIVES(k)));
 }
 
-// Returns an impulse as a share of a bound, limited to values with a finite square.
+// Returns impulse / most, limited so that its square is finite; 0 if `most` is 0.
 INLINE Real joint_share(Real impulse, Real most)
 {
 	Int there = most > splat(0.0f);
 	return blend(splat(0.0f), within(impulse / blend(splat(1.0f), most, there), splat(1.0e15f)), there);
 }
 
-// Moves the impulse (x, y) to an ellipse with the half axes most_x and most_y, toward its center, if it is outside.
+// Shortens the impulse (x, y) to the ellipse with the half axes most_x and most_y, if the impulse is outside. Sets a
+// component to 0 if its half axis is 0.
 INLINE void joint_shorten(Real* x, Real* y, Real most_x, Real most_y)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
@@ -173,8 +174,8 @@ INLINE void joint_shorten(Real* x, Real* y, Real most_x, Real most_y)
 	*y = blend(zero, blend(*y, back * share_y * most_y, beyond), most_y > zero);
 }
 
-// Bounds springs and motors along and across together, for joints with the mode JOINT_ELLIPTIC. Bounded separately, a
-// friction of F in any direction would be 1.41 F on the diagonal, and would deflect bodies that slide obliquely.
+// Bounds the two springs along and across by an ellipse, and the two motors by another, in joints with JOINT_ELLIPTIC.
+// With separate bounds, a friction of F would be 1.41 F on the diagonal and deflect bodies that slide obliquely.
 INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	JointDrive x = joint_drive_load(p, i, JOINT_ALONG), y = joint_drive_load(p, i, JOINT_ACROSS);
@@ -194,7 +195,7 @@ INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give_where(u, c, j, together);
 }
 
-#define JOINT_FULL 0.9999f // above this squared fraction of the ellipse, the bound counts as reached, despite rounding
+#define JOINT_FULL 0.9999f // squared share of the bound from which springs count as at the bound, despite rounding
 
 INLINE Int joint_springs_full(const Pools* p, int i)
 {
@@ -212,7 +213,7 @@ OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, Join
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		// bounds along and across first: otherwise the angle's motor would oppose impulses that the bound then removes
+		// bounds along and across come before the angle, whose motor would else oppose impulses that the bounds remove
 		if (k == JOINT_ANGLE && p->step.has_drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 			joint_drive_together(p, i, u, c);
 		if (joint_drives(p, u, k))
@@ -220,7 +221,7 @@ OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, Join
 	}
 }
 
-// Sums the impulses along all coordinates, including those of locks.
+// Computes for each coordinate the sum of the impulses of lock, limit, spring and motor.
 OUT_OF_LINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOINT_COORDINATES])
 {
 	sum[JOINT_ALONG] = u->impulse_along;

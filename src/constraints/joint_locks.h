@@ -4,11 +4,11 @@
 #define JOINT_LOCKS_H
 #include "constraints/joint_drive.h"
 
-#define JOINT_LEAST_YIELD 1.0e-6f // minimum of JointFactors.d2 / yield of the angle; smaller values are rounding errors
+#define JOINT_LEAST_YIELD 1.0e-6f // minimum of JointFactors.d2 as a share of yield[2]; less is a rounding error
 
 // m/s, rad/s: maximum speed at which errors are corrected in a chain. Frames that are far apart, because a body was
 // teleported or a contact held it back, then come together without a blow. Other joints correct distances at up to
-// START_SHARE of max_speed: the joint in the corner of a large net carries the whole net, and must follow its error.
+// START_SHARE of max_speed: the joint in the corner of a large net carries the whole net, and its error grows fast.
 #define JOINT_CORRECTION 10.0f
 
 typedef struct // equations of the locks: yield x = goal
@@ -58,10 +58,11 @@ INLINE Int joint_springs_alone(const Pools* p, int i)
 	return load(&joint_rare(p, springs_alone, i), 0) > splat(0.0f);
 }
 
-// Replaces the equations of rigid locks of joints with springs. The pull of the springs is already computed, so the
-// locks do not yield to it; otherwise springs would swing more slowly and arms be damped. Only the rest is soft:
-//     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      P: impulses of locks and springs; s: speed; g: softness
-// This holds only if no other constraint holds the bodies: two such joints of a body would alternately add energy.
+// Replaces the equations of the rigid locks in joints that have springs, if no other constraint holds the bodies: two
+// such joints of a body would alternately add energy. Locks do not yield to the pull of the springs, which is already
+// computed; otherwise springs would swing more slowly, and arms would be damped. Only the rest is soft:
+//     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      K: rigid yields; x: impulses of this pass; s: speeds
+//     b C: speeds of correction; g: softness; P: earlier impulses of locks and springs
 INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const JointPose* c, const Real speed[3],
                                JointSystem* s)
 {
@@ -155,7 +156,7 @@ INLINE JointSystem joint_system(const Pools* p, int i, int soft, float fastest, 
 	return s;
 }
 
-typedef struct // the equations as L D L^T
+typedef struct // factors of the matrix of the equations: L D L^T
 {
 	Real first, l01, l02, d1, l12, d2;
 } JointFactors;

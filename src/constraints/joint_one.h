@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// joint_one.h -- reads and stores the counted turns of a joint, for one joint at a time: angle, coupling and path.
+// joint_one.h -- reads and stores the counts of turns and laps of a joint (angle, coupling, path), one joint at a time.
 #ifndef JOINT_ONE_H
 #define JOINT_ONE_H
 #include "constraints/coupling_one.h"
 #include "constraints/path_one.h"
 
-// Returns the last angle of a joint over all turns, from its place, or from its slot if it rests and has no place.
+// rad: Returns the last angle of a joint over all turns; 0 for a new joint. It is stored at the joint's place, or at
+// the slot if the joint has no place.
 INLINE float joint_turned_last(const Pools* p, int slot)
 {
 	int place = p->joint_place[slot];

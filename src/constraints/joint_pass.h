@@ -9,13 +9,13 @@
 
 #define JOINT_CARRIES 1.5f // maximum factor by which the bound of a joint's warm start grows from step to step
 
-// Minimum of the bound of a joint's warm start, in units of START_SHARE; 5 is all of max_speed and max_spin. The
-// limbs of a ragdoll that lands are held by impulses that balance each other, but a single one of them would spin a
-// hand by more than a fifth of max_spin. With a smaller minimum, a joint opens again after the impact.
+// Minimum of the bound of a joint's warm start, in units of START_SHARE; 5 is all of max_speed and max_spin. When a
+// ragdoll lands, impulses that balance each other hold its limbs, but a single one of them would spin a hand faster
+// than a fifth of max_spin. With a smaller minimum, a joint opens again after the impact.
 #define JOINT_BLOW 5.0f
 
-// Adds x to the impulses of the locks; clears impulses of coordinates without lock. turns: lanes with a lock of the
-// angle.
+// Adds x to the impulses of the locks, clears the impulses of other coordinates, and applies the changes. turns: lanes
+// with a lock of the angle.
 INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 {
 	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
@@ -31,7 +31,7 @@ typedef struct // kg m^2: inertia that the pull of a joint adds to its bodies in
 	Real a, b;
 } JointPull;
 
-// Returns the pull of a joint; 0 unless rigid locks hold both translations.
+// Returns the pull of a joint; 0 unless rigid locks hold both translations. push: N s, impulse on body b.
 INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, Vec push)
 {
 	Real zero = splat(0.0f);
@@ -93,7 +93,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
-	// the axes of the last pass may have had other directions
+	// stretched springs (`torn`) may have had other axes in the last pass
 	if (p->step.springs)
 	{
 		Vec given = vec(u->given_x, u->given_y);
@@ -132,7 +132,7 @@ INLINE void joint_peak(const Pools* p, int i, const Joint* u, const JointPose* c
 	store(&joint_rare(p, peak_torque, i), 0, maximum(load(&joint_rare(p, peak_torque, i), 0), torque));
 }
 
-// Functions that every kind of constraint has.
+// Functions that every kind of constraint must have; for joints they do nothing.
 
 INLINE void joint_derive(int passes, const Body* a, const Body* b, Joint* u)
 {
@@ -148,13 +148,13 @@ INLINE void joint_start(const Step* step, Joint* u)
 	(void)u;
 }
 
-// Bound of an ordinary correction across a path, as a multiple of the correction that the curvature of the path
-// requires in a substep. Larger corrections pull back a body that was placed away from the path.
+// Limit of the speed across a path, as a multiple of the speed that the path's curvature causes in a substep. A faster
+// body is being pulled back to the path from afar.
 #define JOINT_BENDS 8.0f
 
-// Keeps the speed of a bead along its path while the bead is pulled back to the path from afar. In the substep, the
-// axis along turns by the angle (bend h along), which would add this angle times the speed across to the speed along.
-// The impulse is applied once, and is not warm started.
+// Keeps the speed of a bead along its path while the bead is pulled back to the path from afar. In a substep, the
+// tangent turns by the angle h * bend * (speed along). Without this impulse, the speed along would grow by this angle
+// times the speed across. The impulse is not warm started.
 INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), along = joint_speed_linear(c, JOINT_ALONG), across = joint_speed_linear(c, JOINT_ACROSS);
@@ -167,9 +167,9 @@ INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 
 typedef struct // the part of a pass that depends on the positions of the bodies, and not on their velocities
 {
-	JointPose c; // velocities in it are not used
+	JointPose c; // its velocities are not used
 	JointImpulse turned;
-	JointSystem system; // without goals
+	JointSystem system; // equations of the locks, without goals
 	JointFactors factors;
 } JointReady;
 
@@ -188,7 +188,7 @@ INLINE void joint_ready_locks(const Pools* p, int pass, int i, const Joint* u, c
 	ready->factors = joint_factor(&ready->system, c->mass);
 }
 
-// Computes JointReady, most of the work of a pass; on a GPU, while other constraints compute the velocities.
+// Computes *ready, which is most of the work of a pass; a GPU does it while other constraints change the velocities.
 INLINE void joint_ready(const Pools* p, int pass, int i, const Body* a, const Body* b, Joint* u, JointReady* ready)
 {
 	if (pass == PASS_BOUNCE)
@@ -214,7 +214,7 @@ INLINE void joint_locks(const Pools* p, int pass, int i, JointReady* ready, Join
 	joint_hold(u, c, x, joint_has(u, JOINT_LOCKED(JOINT_ANGLE)));
 }
 
-// Executes a pass. held: result of joint_ready; null: computed just before its use, which takes fewer registers.
+// Executes a pass. held: result of joint_ready; if null, its parts are computed just before use, with fewer registers.
 INLINE void joint_pass(const Pools* p, int pass, int i, const JointReady* held, Joint* u, Body* a, Body* b)
 {
 	if (pass == PASS_BOUNCE)

@@ -14,9 +14,9 @@ INLINE void joint_quad(const Pools* p, Int slot, int place, Real out[4])
 // Rounds a number, whose absolute value is below 2^22, to the nearest whole number.
 INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(12582912.0f); }
 
-#define JOINT_SOFTEST 1.0e30f // upper bound of 1 / a2, which may be infinite
-// Stiffness of joints in a chain relative to other joints; it can be higher because chains are solved exactly. The rate
-// at which errors are corrected is that of other joints: at a higher rate a chain whips when its end is suddenly moved.
+#define JOINT_SOFTEST 1.0e30f // upper bound of a softness (1 / a2 below), which could be infinite
+// Factor of the frequency that sets the softness of rigid locks in a chain; above 1, because chains are solved exactly.
+// The rate of correction has no factor: at a higher rate a chain whips when its end is suddenly moved.
 #define JOINT_CHAIN_STIFFER 4.0f
 
 // Computes softness and rate of correction, 1/s, of a rigid lock or a limit (Catto, Soft Constraints, GDC 2011).
@@ -25,7 +25,7 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer,
 	Real omega = splat(TURN) * (stiffer * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
 	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
 
-	// a frequency next to 0 is soft, and does not lock; only 0 Hz is rigid
+	// a lock just above 0 Hz is so soft that it has no effect; at exactly 0 Hz it is rigid
 	*rate = blend(splat(0.0f), omega / a1, a2 > splat(0.0f));
 	*soft = blend(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
@@ -59,7 +59,8 @@ OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body
 	const GLOBAL float *center = (const GLOBAL float*)p->local_center, *low = (const GLOBAL float*)p->pose_low;
 	Vec own = vec(placed[0], placed[1]), frame = vec(placed[2], placed[3]), turn = vec(pose[2], pose[3]);
 	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
-	// a point of the world is a position without an arm: a long arm would take digits from the other body's arm
+	// a frame in the world (body 0) is a position with a zero arm: an arm from the origin could be long, and rounding
+	// would make the other body's arm less exact
 	Int world = body == 0;
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	end.arm = vec_blend(vec_turn(turn, own), zero, world);
@@ -74,14 +75,15 @@ INLINE Vec joint_gap(const JointFrame* a, const JointFrame* b)
 	return vec_add(vec_add(vec_sub(b->position, a->position), vec_sub(b->rest, a->rest)), vec_sub(b->arm, a->arm));
 }
 
-// Returns the angle from frame a to frame b over all turns; of the possible angles, the nearest to the last one.
+// Returns the angle from frame a to frame b over all turns; of the possible angles, the nearest to `last`.
 INLINE Real joint_turned(const JointFrame* a, const JointFrame* b, Real last)
 {
 	Real angle = vec_angle(vec_turn_back(a->turn, b->turn));
 	return angle + splat(TURN) * joint_round((last - angle) * splat(1.0f / TURN));
 }
 
-// Returns frame A; on a path (railed) it lies at the point that joint_follow found, along the tangent, without offset.
+// Returns the frame of body a, moved by `offset`. In lanes with `railed`, it lies at the point of the path that
+// joint_follow found instead, with its x axis along the tangent.
 INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, Vec offset, Int railed)
 {
 	Vec foot = vec(load(&joint_rare(p, foot_x, i), 0), load(&joint_rare(p, foot_y, i), 0));
@@ -91,8 +93,8 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
-// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap: vector between
-// anchors, m.
+// Raises Counters.joint_gap, which the user can read: m, largest error of rigid locks of translations. Couplings do not
+// count. gap: m, vector between the anchors.
 INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 {
 	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));
@@ -112,7 +114,8 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 		raise_lanes(&p->counters->joint_gap, root(square), wider);
 }
 
-// Sets Counters.press[1] if a joint has a gap of more than PRESS_GAP and one of its bodies cannot move.
+// Sets Counters.press[1] if the anchors of a joint are more than PRESS_GAP apart and one of its bodies cannot move.
+// Radial joints, couplings and joints on a path do not count. there: lanes with a joint.
 INLINE void joint_press(const Pools* p, int i, const Joint* u, Int there, Vec gap)
 {
 	Int pulls = there & (joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) == 0);
@@ -143,7 +146,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	}
 	u->length = blend(zero, target[JOINT_ALONG], radial);
 
-	// a lock with a target other than 0 moves the frame
+	// targets of locks move frame A, so that coordinates are measured from the targets
 	Vec offset = vec(blend(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);
 	Int railed = joint_has(u, JOINT_RAILED);
 	Word rails = p->step.paths ? lane_bits(railed) : 0u;

@@ -23,8 +23,8 @@ INLINE JointDriven joint_driven(const Pools* p, Int slot, int k)
 // N s: Returns the impulse of a force within a substep, at most MOST_IMPULSE.
 INLINE Real joint_most(const Pools* p, Real force) { return minimum(splat(MOST_IMPULSE), force * p->step.h); }
 
-// m: Returns the arc length of the foot; 0 for other coordinates than along, and for joints without a path. On a path,
-// the coordinate along is measured from the foot, because a float has few digits left for a long arc.
+// m: Returns the arc length of the foot (JOINT_PATH_ROWS) if k is JOINT_ALONG and the joint is on a path, otherwise 0.
+// There, `along` is measured from the foot, because a float is inexact for a long arc.
 INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 {
 	Real zero = splat(0.0f);
@@ -35,12 +35,13 @@ INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 }
 
 // Keeps the impulse of a drive, or clears it if the user removed the drive. Passes skip coordinates without drives,
-// unless another joint in its lanes has one: the result would depend on the other joints if an impulse were left.
+// unless another joint of the same lanes has one: the effect of an impulse left over would depend on other joints.
 #define JOINT_DRIVE_KEPT(k, name, mode)       \
 	store(&joint_drive_row(p, k, name, i), 0, \
 	      blend(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
 
-// Writes the rows of coordinate k, except those of its spring. rate, soft: correction rate and softness of its limits.
+// Writes drive rows of coordinate k; joint_setup_spring writes the others. rate, soft: rate (1/s) and softness of
+// limits.
 INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Joint* u, Real rate, Real soft)
 {
 	JointDriven from = joint_driven(p, slot, k);
@@ -60,7 +61,8 @@ INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Join
 	JOINT_DRIVE_KEPT(k, motor_impulse, JOINT_MOTOR(k));
 }
 
-// m: Returns the value of translation k with locks and springs at their targets. A lock moves the frame to its target.
+// m: Returns the value of translation k with locks and springs at their targets: 0 for a lock, whose target moves the
+// frame; `target` for a spring; otherwise the current value.
 INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 {
 	Real aim = blend(c->value[k], target, joint_has(u, JOINT_SPRING(k)));
@@ -68,8 +70,8 @@ INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 }
 
 // Returns the factor by which frequency and damping ratio of spring k are multiplied, so that the spring is as stiff as
-// with the arms at the targets of locks and springs: the root of (yield with the current arms / yield with those arms).
-// The current arm of body a ends at the anchor of body b, so a longer spring would pull less, and drop its load.
+// if locks and springs were at their targets: the root of (current yield / yield at the targets). 1 for the angle. The
+// current arm of body a ends at the anchor of body b, so a longer spring would pull less, and drop its load.
 INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const JointPose* c, int k)
 {
 	Real one = splat(1.0f), zero = splat(0.0f), lock[4];
@@ -85,8 +87,9 @@ INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const Join
 	return root(blend(one, ratio, sound));
 }
 
-// Writes the rows of the spring or of the soft lock of coordinate k, if a lane has one; a coordinate has at most one.
-// Frequency and ratio are those at the target. rate, hold: rate and softness of the lock, changed for soft locks.
+// Writes the rows of the spring or of the soft lock of coordinate k, if a lane has one of the two. The user's frequency
+// and damping ratio hold at the target (joint_stiffened). *rate, *hold: correction rate (1/s) and softness of the lock,
+// replaced for soft locks. beside, alone: see joint_spring_of.
 INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joint* u, const JointPose* c, Real beside,
                                Real alone, Real* rate, Real* hold)
 {

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
 // joint_spring.h -- computes springs and soft locks of a joint; substeps solve the differential equation exactly.
 //
-// A coordinate C with the speed v, a frequency o (rad/s) and a damping ratio z obeys C" + 2 z o C' + o^2 C = 0. Within
-// h it changes by the eigenvalues e^(h l), with l^2 + 2 z o l + o^2 = 0. D is their product, T their sum. A substep is
+// A coordinate C with the speed v, a frequency o (rad/s) and a damping ratio z obeys C" + 2 z o C' + o^2 C = 0. Over a
+// time h, C and v change by a matrix with two eigenvalues e^(h l), l being the roots of l^2 + 2 z o l + o^2 = 0. D is
+// the product of the eigenvalues, T their sum. A substep of length h is
 //
 //     bias       v2 = keeps v - A C / h
 //     motion     C := C + h v2
 //     relax      v := (1 - relaxes) v2
 //
-// It has the eigenvalues of the equation if A = 1 - T + D and keeps (1 - relaxes) = D. With keeps = A / (h o)^2, a load
-// F rests at F / (m o^2), as on the spring. So undamped springs swing for ever, and overdamped ones creep correctly.
+// It has the same eigenvalues if A = 1 - T + D and keeps (1 - relaxes) = D. With keeps = A / (h o)^2, a load F on a
+// mass m rests at C = F / (m o^2). So undamped springs swing for ever, and overdamped ones creep correctly.
 #ifndef JOINT_SPRING_H
 #define JOINT_SPRING_H
 #include "constraints/joint_constraint.h"
 
 #define TURN 6.28318531f
 
-#define JOINT_STIFFEST 0.25f // maximum frequency of a spring, as a share of the substep rate: stiffer springs shake
-// Two bounds of (o h)^2, the square of the angle per substep; a spring below both has exactly the given damping.
-// SPRING_FREE is the square at a twelfth of the substep rate. SPRING_SHARED is divided by the number of constraints,
-// which keeps the sum over a body's springs below 2^2, the limit of stability. Stiffer springs are damped by at least
-// SPRING_CALMS times the excess; otherwise 2 springs at a quarter of the substep rate between the same bodies, or 15 at
-// a twelfth, would add energy.
+#define JOINT_STIFFEST 0.25f // maximum frequency of a spring or lock as a share of the substep rate; stiffer ones shake
+// Two bounds of (o h)^2; o h is the angle, in rad, by which an oscillation advances in a substep. A spring below both
+// has exactly the given damping. SPRING_FREE is the square at a twelfth of the substep rate. SPRING_SHARED is divided
+// by `beside` of joint_spring_of, which keeps the sum over a body's springs below 2^2, the limit of stability. Stiffer
+// springs are damped by at least SPRING_CALMS times the excess of (o h)^2 over the smaller bound; otherwise 2 springs
+// at a quarter of the substep rate between the same bodies, or 15 at a twelfth, would add energy.
 #define SPRING_FREE   0.274155678f
 #define SPRING_SHARED 3.2f
 #define SPRING_CALMS  0.75f
@@ -30,10 +31,10 @@
 // adds energy: without damping, arms in a row, welded with 20 Hz, gained 17 % in a second.
 #define SPRING_AMONG        0.4f
 #define SPRING_LEAST        1.0e-20f // square of the angle per substep below which a spring counts as absent
-#define SPRING_LEAST_YIELD  1.0e-6f  // minimum share of the yield that rigid locks leave a coordinate, despite rounding
+#define SPRING_LEAST_YIELD  1.0e-6f  // minimum of joint_share_free; smaller results are rounding errors
 #define SPRING_LEAST_ANSWER 1.0e-6f  // minimum of 1 - keeps, by which the equations of a soft lock divide
 
-// Returns 1 - e^-x for x >= 0, by the series at x / 256. Beyond 64 it is 1.
+// Returns 1 - e^-x for x >= 0: a series for x / 256, then eight doublings of x. Above 64, the result is 1.
 INLINE Real spring_lost(Real x)
 {
 	Real y = minimum(x, splat(64.0f)) * splat(1.0f / 256.0f), one = splat(1.0f);
@@ -62,8 +63,8 @@ typedef struct
 
 // Returns the coefficients of a spring. hertz, ratio: frequency and damping ratio of the joint without its locks.
 // share: the yield while the rigid locks hold, divided by the yield without locks. beside: largest number of
-// constraints of a body of the joint, times the number of its springs; alone: above 0 in lanes whose bodies have no
-// other constraints.
+// constraints of a body of the joint, times the number of springs of the joint. alone: above 0 in lanes whose bodies
+// have no other constraints.
 INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share, Real beside, Real alone)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
@@ -77,10 +78,10 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	Real rest = (angle - decay) * (angle + decay);
 	Int over = rest < zero;
 
-	// underdamped: e^-decay, and a circular angle
+	// underdamped: the eigenvalues are e^-decay, rotated by the root of `rest` in both directions
 	Real lost = spring_lost(decay), left = one - lost;
 	Real circular = lost * lost + left * spring_versine(blend(rest, zero, over));
-	// overdamped: two decays; the slow one is a quotient, because a difference would be lost beside the fast one
+	// overdamped: two real decays; the slow one is a quotient, because a difference of near numbers is inexact
 	Real fast = decay + root(blend(zero, -rest, over));
 	Real slow = square / blend(one, fast, over);
 	Real pull = blend(circular, spring_lost(slow) * spring_lost(fast), over);
@@ -93,7 +94,8 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	return s;
 }
 
-// 1/kg for 01; 1/(kg m) for 02, 12: Computes the speed of one coordinate that a unit impulse along another causes.
+// Computes elements 01, 02 and 12 of the yield matrix: the speed of one coordinate that a unit impulse along another
+// causes, in 1/kg for 01, and in 1/(kg m) for 02 and 12.
 INLINE void joint_crosses(const JointPose* c, Real cross[3])
 {
 	Real ia = c->a.inv_inertia, ib = c->b.inv_inertia;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// path_constraint.h -- computes the axes of joints on a path: within a step, a circle whose curvature changes.
+// path_constraint.h -- computes axes and coordinates of joints on a path; in a step, the path is nearly a circle.
 //
-//     d = (x, y) in tangent and normal of the foot, the point of the path at the start of the step
-//     k = curvature there, l = change of curvature along the path, 1/m^2
+//     d = (x, y) from the foot (the point of the path at the start of the step) to anchor b, along tangent and normal
+//     k = curvature at the foot, l = change of curvature along the path, 1/m^2
 //     c = 1 - k y      s = k x      r = sqrt(c^2 + s^2)      cos = c / r      sin = s / r
 //     along = x / r * asin(sin) / sin      across = (1 - r) / k = (2 y - k (x^2 + y^2)) / (1 + r)      turn = k along
 //
 // The change of curvature adds l along^2 / 2 to the turn of the tangent, and subtracts l along^3 / 6 from across. The
 // axes follow the path in each substep, because an outdated tangent would cost energy. The angle is measured from the
-// tangent, which turns with the speed along: its row is that of a free angle minus k times the row of along.
+// tangent, which turns with the speed along: its Jacobian is that of other angles minus k times that of along.
 #ifndef PATH_CONSTRAINT_H
 #define PATH_CONSTRAINT_H
 #include "constraints/angle.h"
@@ -16,12 +16,12 @@
 
 #define PATH_SERIES    0.01f   // square of the sine up to which the series of asin is exact to a float
 #define PATH_MOST_SWAY 0.5f    // rad: maximum turn of the tangent due to `sway`; series of larger angles are inexact
-#define PATH_CENTER    1.0e-4f // minimum of r^2; with less, at the center of the circle, the normal is undefined
+#define PATH_CENTER    1.0e-4f // minimum of r^2; nearer to the center of the circle, the axes of the foot are used
 
 typedef struct // a point of the circle
 {
 	Vec turn;        // cos, sin of the tangent
-	Real along, out; // along, m; r of the formulas above
+	Real along, out; // m: `along`; r of the formulas above
 } PathArc;
 
 INLINE PathArc path_arc(Real bend, Real x, Real y)

@@ -13,13 +13,13 @@ typedef struct
 	const GLOBAL PathSample* samples;
 	int segments; // number of samples minus 1
 	int closed;
-	float length; // m
+	float length; // m: length of the whole curve
 } PathCurve;
 
 typedef struct // a point of a curve
 {
 	Vec point, tangent;      // m; cos, sin
-	float along, bend, sway; // m; 1/m: curvature; 1/m^2: change of curvature along the curve
+	float along, bend, sway; // m: arc length; 1/m: curvature; 1/m^2: change of curvature along the curve
 } PathFoot;
 
 INLINE PathCurve path_curve(const GLOBAL PathSample* samples, int segments)
@@ -42,7 +42,7 @@ INLINE float path_ahead(const PathCurve* c, int k, Vec point)
 	return vec_dot(vec_sub(point, path_point(c, k)), path_tangent(c, k));
 }
 
-// Follows the curve from a segment while the distance to a point decreases. Returns the last segment; updates *laps.
+// Follows the curve from a segment on while the point gets nearer. Returns the segment reached; updates *laps.
 INLINE int path_descend(const PathCurve* c, Vec point, int segment, float* laps)
 {
 	int last = c->segments - 1, forward = path_ahead(c, segment + 1, point) > 0.0f;
@@ -120,7 +120,7 @@ INLINE Vec path_cubic_speed(const PathCubic* m, float t)
 	return vec_add(m->m0, vec_scale(t, vec_add(vec_add(m->m2, m->m2), vec_scale(3.0f * t, m->m3))));
 }
 
-// Returns the point of a segment at a share of its length.
+// Returns the point of a segment at `t`, a share of the segment's length from 0 to 1.
 INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
 {
 	const GLOBAL PathSample *from = c->samples + segment, *to = from + 1;
@@ -136,8 +136,8 @@ INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
 	return foot;
 }
 
-// Returns the nearest point of a segment, found by a secant and two steps of Newton's method. The remaining error lies
-// along the curve and has no effect. An open curve continues beyond its ends as a straight line, without curvature.
+// Returns the nearest point of a segment, found by a secant step and two steps of Newton's method. The remaining error
+// lies along the curve and has no effect. An open curve continues beyond its ends as a straight line.
 INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
 {
 	float before = path_ahead(c, segment, point), behind = path_ahead(c, segment + 1, point);

@@ -2,25 +2,26 @@
 // path_one.h -- finds the position of a joint on its path at the start of a step, for one joint at a time.
 //
 // A search begins at the position of the last step and follows the path while the distance to anchor b decreases, so a
-// joint stays on its branch of a path that crosses itself. Only new and placed joints search the whole path.
+// joint stays on its branch of a path that crosses itself. Only new joints, and joints of which a body or a frame was
+// placed, search the whole path.
 #ifndef PATH_ONE_H
 #define PATH_ONE_H
 #include "constraints/joint_prepare.h"
 #include "constraints/path_curve.h"
 
 #define PATH_GOES_ON 0.0f // the next search starts at the last position
-#define PATH_SEEKS   1.0f // the next search starts at the last position, but another part of the path may be nearer
-#define PATH_NEW     2.0f // the next search starts at JointData.near
+#define PATH_SEEKS   1.0f // the same, but then the whole path is searched for a nearer part
+#define PATH_NEW     2.0f // the next search starts at JointData.near; then the whole path is searched
 
 // Factor by which another part of the path must be nearer than the current part, so that a joint changes to it; with a
 // smaller factor, joints change branch at crossings.
 #define PATH_NEARER 2.0f
 
-// Tolerance of the seam of a closed path, as a share of the spacing of samples: if the arc length of a new joint
-// differs from `near` by more than a lap minus this tolerance, the seam is between the two.
+// Tolerance at the seam, the point at which a closed path begins and ends, as a share of the spacing of samples. If arc
+// lengths of a new joint and `near` differ by more than a lap minus this tolerance, the seam is between the two.
 #define PATH_SEAM 0.0625f
 
-typedef struct // last position of a joint
+typedef struct // last position of a joint on its path; `seeks`: PATH_*
 {
 	float segment, laps, seeks;
 } PathCount;
@@ -54,9 +55,8 @@ INLINE float path_lap(const PathCurve* curve, float along)
 
 INLINE float path_spacing(const PathCurve* curve) { return curve->length / (float)curve->segments; }
 
-// Returns the lap in which a new joint begins. near: arc length near the joint, over all laps. Returns the lap of
-// `near`, or a neighboring one if the seam is between `near` and the joint. along: arc length of the joint within a
-// lap.
+// Returns the number of the lap in which a new joint begins: that of `near`, or a neighboring one if the seam is
+// between `near` and the joint. near: m, JointData.near, over all laps. along: m, arc length of the joint in a lap.
 INLINE float path_first_lap(const PathCurve* curve, float near, float along)
 {
 	float laps = path_lap(curve, near), ahead = (along + laps * curve->length) - near;

@@ -6,9 +6,10 @@
 //
 // The forces of a step act along the normal while the bodies move on. Let k, the stiffness of a roller, be its load
 // divided by mass and radius. If the normal is computed for the time s of the step, from 0 to 1, a step of N substeps
-// has the determinant 1 + ((N - 1) / (2 N) - s) k dt^2: at s = 0 the roller gains energy, at s = 1 it loses some.
-// Therefore the poses at the end of the step are used. If k dt^2 is too large, as for a small body under a heap, the
-// contact points are a mean of points that follow the bodies and held points (contact_points.h).
+// multiplies position and velocity by a matrix with the determinant 1 + ((N - 1) / (2 N) - s) k dt^2: at s = 0 the
+// roller gains energy, at s = 1 it loses some. Therefore the poses at the end of the step are used. If k dt^2 is too
+// large, as for a small body under a heap, the contact points are a mean of points that follow the bodies and held
+// points (contact_points.h).
 #ifndef ROLLING_H
 #define ROLLING_H
 #include "constraints/contact_points.h"
@@ -18,13 +19,14 @@
 #define ROLLING_STIFFNESS 0.3f
 
 // Rolling resistance: maximum distance of the load ahead of the center, in units of the reach. It is a coefficient of
-// 1e-4, a tenth of that of steel. Below this limit, the resistance takes the share ROLLING_TURN of the relative turn
-// per step; with a smaller share, bodies would creep down slopes that are too slight for rolling.
+// 1e-4, a tenth of that of steel. Below this limit, the resistance removes the share ROLLING_TURN of the relative
+// rotation in each step; with a smaller share, bodies would creep down slopes that are too slight for rolling.
 #define ROLLING_LEVER 1.0e-4f
 #define ROLLING_TURN  0.3f
 #define ROLLING_LIGHT 0.003f // minimum of k dt^2 in the resistance; it limits how hard lightly loaded bodies are braked
 
-// Added to ROLLING_LEVER for a fully held contact: a stiff contact is sometimes recomputed, which keeps it swinging.
+// Maximum that is added to ROLLING_LEVER, for a stiff contact whose points are held: its points are sometimes
+// recomputed, which makes the body swing.
 #define ROLLING_STIFF_LEVER 0.05f
 
 typedef struct // motion of a body until the end of the step; positions are relative to the origin of collidable a
@@ -78,7 +80,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	    turn = vec(manifold[10], manifold[11]);
 	Int corners = (flags & (int)MANIFOLD_CORNERS) != 0, turns_b = (flags & (int)MANIFOLD_TURNS_B) != 0;
 	ContactPoints points;
-	Vec now = vec_turn(ra.axes, normal); // current normal; for two corners, their direction if within 60 degrees of it
+	Vec now = vec_turn(ra.axes, normal); // current normal
 	points.normal =
 	    vec_blend(vec_turn(ra.turn, now), vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
 	points.offset = vec_sub(ra.then, rb.then);
@@ -96,7 +98,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		Vec between = vec_sub(vec_sub(arm_b, arm_a), points.offset);
 		if (k == 0)
 		{
-			// corners at the same position have no direction
+			// for two corners, the normal is the direction from a to b, if this is within 60 degrees of `now`
 			Vec direction = vec_scale(1.0f / root(vec_dot(between, between)), between);
 			direction = vec_blend(now, direction, vec_dot(direction, now) > splat(0.5f));
 			points.normal = vec_blend(points.normal, direction, corners);
@@ -120,7 +122,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 
 INLINE Vec rolling_between(Vec a, Vec b, Real share) { return vec_add(a, vec_scale(share, vec_sub(b, a))); }
 
-// Returns the points of a contact for the step; load1 and load2 are its normal impulses of a substep, N s.
+// Returns the points of a contact for the step; load1, load2: N s, normal impulses of the points in a substep.
 INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[8], const Real manifold[16], Int flags,
                                   const Int feature[2], Real load1, Real load2)
 {

@@ -9,7 +9,7 @@
 #define PASS_WARM_START 0 // applies the impulses of the last step
 #define PASS_BIAS       1 // pushes overlaps apart
 #define PASS_RELAX      2 // removes the velocity that the bias pass added
-#define PASS_BOUNCE     3 // restitution
+#define PASS_BOUNCE     3 // restitution pass: fast points bounce
 #define PASS_KINDS      4
 
 // Motion of a body before a pass.

@@ -55,7 +55,7 @@ INLINE Vec body_displacement(Body b, Vec r)
 }
 
 // Returns the displacement of the point at arm r to first order, for contacts: a wheel that turns does not leave the
-// ground, although the point that touched does. Prepared rows make gaps exact at the end of the step.
+// ground, although the point that touched does. Prepared separations correct gaps at the end of the step.
 INLINE Vec body_shift(Body b, Vec r) { return vec_add(b.d, vec_spin(b.da, r)); }
 
 INLINE Vec body_velocity_at(Body b, Vec r) { return vec_add(b.v, vec_spin(b.w, r)); }

@@ -9,9 +9,9 @@
 #define SWEEP_REST (0.03f * LINEAR_SLOP) // m per step: motions and approaches slower than this count as rest
 #define SWEEP_SLOP LINEAR_SLOP // m per step: a loaded pair that approaches more slowly than this keeps its manifold
 
-// m per step: a loaded pair that slides faster than this does not keep its manifold. If its arms turn by more than
-// this, they are turned with the bodies. Arms that lag behind cost angular momentum, and let bodies that turn with a
-// drum overlap.
+// m per step: a loaded pair that slides faster than this does not keep its manifold. If it slides more slowly, but
+// sliding plus rotation times reach is more than this, its arms are turned with the bodies. Arms that do not turn would
+// lose angular momentum, and let bodies that turn with a drum overlap.
 #define SWEEP_LAG (0.3f * LINEAR_SLOP)
 
 typedef struct // motion of a body until the end of the step
@@ -31,7 +31,7 @@ typedef struct // motion of a collidable with its body
 typedef struct // motion of collidable b relative to collidable a
 {
 	Sweep a, b;
-	Vec near;    // m: velocity of the center of the smaller collidable, in a frame that turns with the larger one
+	Vec near;    // m: velocity of the center of b relative to that of a, in a frame that turns with the larger one
 	Vec bend;    // m: change of `near` during the step
 	Real swing;  // m: upper bound of the additional speed of other points of the smaller collidable
 	Real most;   // m: upper bound of the approach of any two points of the pair
@@ -99,7 +99,7 @@ INLINE Sweep sweep_with(Advance advance, Vec center, Real core)
 	return s;
 }
 
-// Returns the closing of a pair. between: m, vector from the origin of a to that of b.
+// Returns the relative motion of a pair. between: m, vector from the origin of a to that of b.
 INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 {
 	Vec arm = vec(between.x + (sb.center.x - sa.center.x), between.y + (sb.center.y - sa.center.y));

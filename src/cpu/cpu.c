@@ -65,7 +65,8 @@ static scree_status cpu_timings(Backend* b, double milliseconds[STAGE_COUNT])
 	return SCREE_OK;
 }
 
-// Frees a core (core: true) by using one worker fewer, or takes it back: a worker whose core is busy delays others.
+// Leaves one core to others (core: true) by using one worker fewer, if the workers occupy all cores; otherwise uses all
+// workers. A worker whose core is busy would delay the other workers.
 static void cpu_spare(Backend* b, bool core)
 {
 	Cpu* cpu = b->state;

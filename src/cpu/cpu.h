@@ -20,12 +20,12 @@
 
 typedef struct // measured choice whether the workers share a solve; it depends on the distance between cores
 {
-	double cost[2]; // ms per item: by one worker; shared by all; 0 before the first measurement
+	double cost[2]; // ms per item: [0] by one worker, [1] shared by all workers; 0 before the first measurement
 	double least;   // lowest cost in the current measurement
 	int tried;      // number of solves in the current measurement so far
-	int turns;      // number of measurements at the start so far, in which the two methods alternate
+	int turns;      // number of finished measurements among the first FIRST_TURNS (choice.c)
 	int rest;       // number of solves until the slower method is measured again
-	bool tries;     // the slower method is being measured
+	bool tries;     // the method with the higher cost is being measured
 	bool shares;    // the workers share the next solve
 } Choice;
 
@@ -41,7 +41,7 @@ typedef struct // the state of the backend
 	int lanes[KERNEL_COUNT]; // items per call of a kernel function
 	bool timed;
 	Stage stage; // stage of the last kernel; the time of a primitive is added to it
-	double mark; // ms: end of the last run
+	double mark; // ms: time at which the last run ended
 	double milliseconds[STAGE_COUNT];
 
 	size_t async_count; // used from read_begin to read_end

@@ -7,7 +7,7 @@
 #include "platform/processor.h"
 #include <limits.h>
 
-#define CHUNK_ITEM     8 // an item of a kernel with chunks counts as this many, so that few long items are shared too
+#define CHUNK_ITEM     8    // number of items of other kernels that count as one item of a kernel with chunks
 #define DEALT          (-1) // in place of a chunk size: the function dealt distributes the items
 #define SORT_GRAIN     8192 // a sort of fewer items than this is executed by one worker
 #define SCAN_GRAIN     16384
@@ -37,7 +37,7 @@ static const int chunks[KERNEL_COUNT] = {
 #undef CONSTRAINT_KIND
 };
 
-// For kernels over all bodies or all collidables, whose inactive blocks may be skipped: 1 + the kind of these blocks.
+// 1 + ACTIVE_* for kernels over all bodies or all collidables, which may skip inactive blocks; 0 for other kernels.
 static const int kinds[KERNEL_COUNT] = {
     [KERNEL_transform] = 1 + ACTIVE_COLLIDABLES,     [KERNEL_solve_begin] = 1 + ACTIVE_BODIES,
     [KERNEL_integrate_velocity] = 1 + ACTIVE_BODIES, [KERNEL_integrate_position] = 1 + ACTIVE_BODIES,
@@ -158,7 +158,7 @@ static int count_blocks(const Cpu* cpu, int kernel, int items, const ActiveBlock
 	return most < workers ? most : workers;
 }
 
-// Computes the items of the current run (cpu->begin, cpu->end). Returns the number of blocks, 0 if there are no items.
+// Sets cpu->begin and cpu->end to the range of the run's items. Returns the number of blocks, 0 if there are no items.
 static int begin_run(Cpu* cpu, const Run* run)
 {
 	cpu->begin = run->begin;

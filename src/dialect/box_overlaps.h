@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// box_overlaps.h -- tests a box, at rest or moving, against eight boxes with AVX2 or WebAssembly; a part of dialect.h.
+// box_overlaps.h -- tests a box against eight boxes with AVX2, also a moving box, or WebAssembly; part of dialect.h.
 #ifndef BOX_OVERLAPS_H
 #define BOX_OVERLAPS_H
 #ifdef __wasm_simd128__
@@ -24,7 +24,7 @@ static inline Word overlaps8(const Float4* boxes, Float4 box)
 
 static inline __m256 bound8_wide(const Float4* boxes, int which) { return _mm256_load_ps(&boxes[2 * which].x); }
 
-// Always inlined: as a call in the traversals of the broad phase, it took scene storm 2 % more instructions.
+// Always inlined, because calls in the traversals of the broad phase cost scene storm 2 % more instructions.
 static inline __attribute__((always_inline)) Word overlaps8(const Float4* boxes, Float4 box)
 {
 	__m256 x = _mm256_and_ps(_mm256_cmp_ps(bound8_wide(boxes, 0), _mm256_set1_ps(box.z), _CMP_LE_OQ),

@@ -6,10 +6,10 @@
 #ifndef DIALECT_H
 #define DIALECT_H
 
-// INLINE functions of wide passes are always inlined: calls that clang left in these passes cost 18 to 36 % at 8 and 16
-// lanes. With one lane, always inlining slowed code of gcc by half, because registers ran out. On a GPU, a single call
-// keeps the pools on the stack of every work-item, and costs 0.08 ms per step of 93,000 bodies of ragdolls (H200).
-// CALLS is defined for OpenCL on a CPU, because PoCL takes over 40 % longer to build always inlined functions.
+// INLINE functions of wide passes are always inlined: calls that clang left in these passes took 18 to 36 % more time
+// at 8 and 16 lanes. With one lane, always inlining slowed code of gcc by half, because registers ran out. On a GPU, a
+// single call keeps the pools on the stack of every work-item, and costs 0.08 ms per step of 93,000 bodies of ragdolls
+// (H200). CALLS is defined for OpenCL on a CPU, because PoCL takes over 40 % longer to build always inlined functions.
 #if (defined(LANES) && LANES > 1) || (defined(__OPENCL_C_VERSION__) && !defined(CALLS))
 #define INLINE static inline __attribute__((always_inline))
 #else
@@ -78,7 +78,7 @@
 #endif
 #endif
 
-// Raises the number at place to at least x, atomically. A plain read first avoids most of the atomic operations.
+// Raises the number at `place` to at least x, atomically. A plain read first avoids most of the atomic operations.
 INLINE void raise_int(GLOBAL int* place, int x)
 {
 	if (read_shared(place) < x)
@@ -112,7 +112,8 @@ INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
 #define following_int(a, b) (b)
 #define preceding_int(a, b) (a)
 
-// indices: i to i + LANES - 1. gather: items of an array by index, one per lane. load_int2: members of LANES pairs.
+// indices(i): the numbers i to i + LANES - 1. gather: an item of an array for each lane, by index. load_int2: the
+// members of LANES pairs, from pair i on.
 #define indices(i)                  (i)
 #define gather(array, index)        ((array)[index])
 #define gather_int(array, index)    ((array)[index])

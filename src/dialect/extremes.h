@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // extremes.h -- computes minimum and maximum of vectors by one instruction, with the dialect's results; part of wide.h.
-// The instruction of x86 returns its first operand if that is larger (or smaller), and otherwise its second operand,
-// also for NaN and for two zeros.
+// The instruction of x86 returns its first operand if this is larger than the second (for minimum: smaller). Otherwise,
+// also for NaN and for two zeros, it returns its second operand.
 #ifndef EXTREMES_H
 #define EXTREMES_H
 

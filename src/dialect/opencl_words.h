@@ -123,9 +123,9 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 #define group_meet()  barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)
 #define bench_meet()  barrier(CLK_LOCAL_MEM_FENCE)
 
-// Defines an OpenCL kernel. specialize: code that may set members of pools.step to constants. Only one of spread(items)
-// work-items executes items, so that few long items do not share a warp. The parentheses around kernel_name prevent the
-// expansion of a function-like macro of that name, such as store.
+// Defines an OpenCL kernel. specialize: code that may set members of pools.step to constants. Only every
+// spread(items)-th work-item executes items, so that few long items do not share a warp. The parentheses around
+// kernel_name prevent the expansion of a function-like macro of that name, such as store.
 #define KERNEL_FUNCTION(kernel_name, name, specialize, spread)                                        \
 	__kernel void(kernel_name)(POOL_ARGUMENTS Step step, Run run)                                     \
 	{                                                                                                 \

@@ -18,7 +18,7 @@ WIDE_INLINE Quad quad_load(const float* from) { return *(const Quad*)from; }
 WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
 
 #define FOUR_LANES(f, k) f(k), f(k + 1), f(k + 2), f(k + 3)
-// Indices of every second number of two quads, from number k on; EVERY_SECOND: the same for all lanes of two vectors.
+// Indices k, k + 2, ... of every second number of two quads; EVERY_SECOND: the same for all lanes of two vectors.
 #define TWO_QUADS(k) k, k + 2, k + 4, k + 6
 #if LANES == 4
 #define EACH_QUAD(a, b, c, d) a, b, c, d
@@ -55,8 +55,8 @@ WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE
 #endif
 #define SHUFFLE(a, b, ...) SHUFFLE_ALL(a, b, EACH_QUAD(__VA_ARGS__))
 
-// following(a, b): a shifted by one lane to the left; the last lane is lane 0 of b. preceding(a, b): b shifted by one
-// lane to the right; lane 0 is the last lane of a.
+// following(a, b): lane k is lane k + 1 of a; the last lane is lane 0 of b. preceding(a, b): lane k is lane k - 1 of b;
+// lane 0 is the last lane of a.
 #define NEXT(k) k + 1
 #define LAST(k) k + LANES - 1
 WIDE_INLINE Real following(Real a, Real b) { return SHUFFLE_ALL(a, b, EACH_LANE(NEXT)); }
@@ -142,7 +142,7 @@ WIDE_INLINE void quads_gather(const float* base, Words at, Real out[4])
 	transpose(quads_load(base, at, 0), quads_load(base, at, 1), quads_load(base, at, 2), quads_load(base, at, 3), out);
 }
 
-// Stores the quads of r at base + at[j], base + at[j + 4], ... if bit j, j + 4, ... of `wanted` is set.
+// Stores the quads of r at base + at[k] for k = j, j + 4, j + 8, ...; each only if bit k of `wanted` is set.
 WIDE_INLINE void quads_store(float* base, Words at, int j, Real r, Word wanted)
 {
 	if (wanted >> j & 1)

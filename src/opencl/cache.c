@@ -48,7 +48,7 @@ void digest_add(Digest* digest, const void* bytes, size_t count)
 	}
 }
 
-// Writes the path of the cache's folder. Returns false if no folder is set.
+// Writes the path of the cache's folder. Returns false if no folder is set, or if the path is too long.
 static bool cache_folder(char* path)
 {
 	const char* own = getenv("SCREE_CACHE");

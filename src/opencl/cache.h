@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // cache.h -- stores compiled programs on disk; a program that cannot be read or written is compiled again. The folder
-// is the first that is set: $SCREE_CACHE (empty: no cache), $XDG_CACHE_HOME/scree, ~/.cache/scree.
+// is the first that is set: $SCREE_CACHE (empty: no cache), $XDG_CACHE_HOME/scree, ~/.cache/scree (on Windows
+// %LOCALAPPDATA%/scree).
 #ifndef OPENCL_CACHE_H
 #define OPENCL_CACHE_H
 #include <stdbool.h>

@@ -2,7 +2,7 @@
 // context.c -- opens OpenCL contexts and builds programs in them; the worlds of a process share contexts and programs.
 //
 // PoCL builds a program in 0.2 s, so a context on a CPU is kept until the process ends. A context on a GPU is released
-// with its last world, to free memory. After an OpenCL failure, contexts may be lost, so new worlds get new ones.
+// with its last world, to free memory. After an OpenCL failure, contexts may be lost, so new worlds get new contexts.
 #include "opencl/context.h"
 #include "opencl/compile.h"
 #include "opencl/external_memory.h"

@@ -4,7 +4,8 @@
 #define OPENCL_CONTEXT_H
 #include "opencl/opencl_state.h"
 
-// Sets d->context and d->program. If `opengl` is not null, no other world uses these, and OpenGL shares their memory.
+// Sets d->context and d->program. If `opengl` is not null, only this world uses the context, which shares memory with
+// OpenGL.
 scree_status context_open(OpenCl* d, const char* options, const scree_opengl* opengl);
 
 // Releases context and program, unless other worlds use them or they are kept (context.c).

@@ -23,7 +23,8 @@ typedef struct
 int device_list(Device* devices, int capacity);
 
 // Chooses a device whose name or platform name contains options->device (case ignored). Prefers devices that the
-// options allow, then GPUs, then devices with equal bits. Fails with SCREE_ERROR_NO_DEVICE.
+// options allow, then GPUs, then devices with equal bits. Fails with SCREE_ERROR_NO_DEVICE if no device is found or the
+// best is not allowed.
 scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif
