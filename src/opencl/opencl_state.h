@@ -200,7 +200,7 @@ typedef struct
 	bool resident; // true: the program has the kernels whose work-groups must be resident at once
 	Persistent persistent;
 
-	SolveForm form; // setting, or FORM_ANY; FORM_LAUNCHES after memory for another form was insufficient
+	SolveForm form; // required form; FORM_ANY: the fastest; FORM_LAUNCHES after memory for another was insufficient
 	RelayState relay;
 	TileState tiles;
 	Kernel solve_end;

@@ -36,7 +36,7 @@ typedef struct
 	Mutex mutex;
 	Condition woken;
 	bool sleeps;                                // protected by mutex
-	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the latest job whose block of this seat was claimed
+	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the latest job that had its block of this seat claimed
 } Seat;
 
 struct Threads

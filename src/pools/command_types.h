@@ -26,7 +26,7 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
 #define COMMAND_LINEAR_VELOCITY 10 // x, y: m/s; the spin does not change
 #define COMMAND_SPIN            11 // x: rad/s; the linear velocity does not change
-#define COMMAND_BODY            12 // new body without mass: pose of its center of mass; whole: bits of local center x, y
+#define COMMAND_BODY            12 // new body without mass: pose of its center of mass; whole: bits of its local center
 #define COMMAND_CONTINUOUS      13 // members of ContinuousBody; whole[0]: first; whole[1]: parts; x: way; y: reach
 #define COMMAND_ENABLED         14 // whole[0]: 1, or 0 to disable the body
 #define COMMAND_TARGET          15 // pose of the body's origin at the end of the step: x, y, cos, sin; whole[0]: locks

@@ -162,7 +162,7 @@ typedef struct // the tasks of a work-group and a work-item
 	bool hubs, colors;                // true: the work-group solves hubs; it solves constraints with colors
 	int group, hub_groups, hub_count; // the work-group solves hubs `group`, `group` + hub_groups, ... below hub_count
 	int spokes;                       // number of spokes, including padding
-	int begin, stride, constraints;   // the work-item solves numbers `begin`, `begin` + `stride`, ... below `constraints`
+	int begin, stride, constraints;   // the work-item solves constraints `begin`, `begin` + `stride`, and so on
 	bool streamed;                    // false: the work-item has one constraint, which stays in registers
 	__global float4* stream;
 } HubTasks;
