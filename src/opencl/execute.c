@@ -17,7 +17,7 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 {
 	OpenCl* d = b->state;
 	step_set(d, step);
-	// commands may change masses, which makes tiles wrong; a new order of the leaves makes other tiles faster
+	// commands may change masses, so tiles may be wrong; after a new order of the leaves, new tiles are faster
 	for (int i = 0; i < count; ++i)
 	{
 		d->tiles.stale |= runs[i].kernel_id == KERNEL_command || runs[i].kernel_id == KERNEL_tree_order;

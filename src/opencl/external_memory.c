@@ -10,7 +10,7 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-#define MEMORY_OPAQUE_FD 0x2060 // a constant of cl_khr_external_memory, revision 1.0, which OpenCL 1.2 headers lack
+#define MEMORY_OPAQUE_FD 0x2060 // value of cl_khr_external_memory, revision 1.0; OpenCL 1.2 headers do not define it
 
 typedef cl_ulong MemoryProperty;
 typedef cl_mem(CL_API_CALL* CreateFromFile)(cl_context, const MemoryProperty*, cl_mem_flags, size_t, void*, cl_int*);
@@ -124,7 +124,7 @@ scree_status share_open_context(OpenCl* d, const scree_opengl* opengl)
 	cl_context_properties plain[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
 	if (opengl && d->device.shares_opengl)
 	{
-		// keys of cl_khr_gl_sharing: CL_GL_CONTEXT_KHR is 0x2008; the display has a key for each window system
+		// keys of cl_khr_gl_sharing: 0x2008 is CL_GL_CONTEXT_KHR; the key of the display depends on the window system
 		static const cl_context_properties displays[] = {
 		    [SCREE_WINDOW_EGL] = 0x2009, [SCREE_WINDOW_GLX] = 0x200a, [SCREE_WINDOW_WGL] = 0x200b};
 		cl_context_properties shared[] = {0x2008,

@@ -4,7 +4,7 @@
 #define EXTERNAL_MEMORY_H
 #include "opencl/opencl_state.h"
 
-// Creates the context, which shares memory with OpenGL if opengl is not null and the driver supports it.
+// Creates the context. It shares memory with OpenGL if `opengl` is not null and the driver supports sharing.
 scree_status share_open_context(OpenCl* d, const scree_opengl* opengl);
 void shared_close(OpenCl* d);
 scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory);

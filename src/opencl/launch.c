@@ -36,7 +36,8 @@ size_t pool_offset(const OpenCl* d, PoolId pool)
 
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 {
-	// argument as in cmake/embed.cmake: beginnings of kinds that share a buffer, then capacities of all kinds
+	// an argument (cmake/embed.cmake): offsets of the kinds that are in the buffer of another kind; capacities of all
+	// kinds
 	struct
 	{
 		cl_ulong begins[PER_COUNT - BUFFERS];

@@ -18,9 +18,9 @@ static void* find(void* library, const char* name) { return (void*)GetProcAddres
 #include <stdlib.h>
 #include <unistd.h>
 
-// Writes the memory size and number of processors that sysconf returns to the environment variable HWLOC_SYNTHETIC.
-// PoCL reads them through hwloc. In containers without sysfs, hwloc would find no memory, and PoCL would end the
-// process.
+// Sets the environment variable HWLOC_SYNTHETIC, unless it is set, to the memory size and number of processors that
+// sysconf returns. PoCL reads them through hwloc. Without sysfs, as in some containers, hwloc would find no memory, and
+// PoCL would end the process; with sysfs, the function changes nothing.
 static void describe_machine(void)
 {
 	char text[96];

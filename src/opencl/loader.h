@@ -58,7 +58,7 @@ typedef struct
 } OpenClFunctions;
 extern OpenClFunctions opencl; // filled by opencl_load
 
-// Opens the library, once per process, from any thread. Returns false if there is no library.
+// Opens the library, once per process, from any thread. Returns false if it does not exist or lacks a function.
 bool opencl_load(void);
 
 // Returns a function of an extension or of a newer OpenCL version by its full name, or null if it does not exist.

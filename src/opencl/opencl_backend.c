@@ -218,8 +218,8 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
-// Returns the maximum number of work-items per group. It is 1 for branches on a CPU: PoCL compiles their barriers for
-// two minutes.
+// Returns the maximum number of work-items per group of a kernel. It is 1 for branches on a CPU, because PoCL would
+// compile their barriers for two minutes.
 static size_t kernel_group(const OpenCl* d, int stage)
 {
 	if (kernel_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)
@@ -249,7 +249,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->persistent.any_size = d->form == FORM_RELAY || d->form == FORM_TILES;
 	d->resident = d->persistent.any_size || (d->form == FORM_ANY && !cpu);
 	char program_options[PROGRAM_OPTIONS];
-	// PoCL compiles kernels at their first launch, so unused kernels take no time; all worlds share one program
+	// PoCL compiles a kernel at its first launch, so unused kernels cost no time, and all worlds can share one program
 	bool resident = d->resident || d->device.compiles_at_launch;
 	snprintf(program_options, sizeof program_options, "%s%s%s", resident ? " -DRESIDENT" : "",
 	         d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "");

@@ -13,7 +13,7 @@ typedef struct
 	cl_kernel kernel;
 	size_t group;     // work-items per work-group
 	uint64_t version; // Constants.version of the step in the kernel's arguments
-	int groups;       // kernels of the relay: number of work-groups that are resident at once
+	int groups;       // number of work-groups that are resident at once; set only for kernels of the relay
 } Kernel;
 
 typedef struct // a buffer that is not a pool; it loses its contents when it grows
@@ -51,7 +51,7 @@ typedef struct // a launch whose time the host has not read yet
 
 typedef struct
 {
-	LaunchTime* laps; // null unless BackendOptions.timings
+	LaunchTime* laps; // null if launches are not timed (BackendOptions.timings)
 	int lap_count;
 	double milliseconds[STAGE_COUNT];
 	Stage stage; // stage of the current run; for a primitive, the stage of the run before it
@@ -66,7 +66,7 @@ typedef struct // destination of opencl_read_begin
 	cl_event event; // null if no read is in flight
 } AsyncRead;
 
-typedef struct // source and destination of opencl_copy; null outside of copy_reserve and copy_release
+typedef struct // source and destination of opencl_copy; null before copy_reserve and after copy_release
 {
 	cl_mem buffers[2];
 	size_t bytes;
@@ -88,11 +88,11 @@ typedef struct
 {
 	Kernel kernel;
 	cl_mem list, probes;
-	Run* listed; // copy of the runs that were uploaded to `list`
-	int contact_report_count;
-	int groups;    // number of resident work-groups; 0 if the device cannot run the persistent kernel
-	bool any_size; // true: the persistent kernel also executes runs for which launches are faster
-	Counters last; // counters of the last read; they predict the number of items of a run
+	Run* listed;              // copy of the runs that were uploaded to `list`
+	int contact_report_count; // number of runs in `listed`
+	int groups;               // number of resident work-groups; 0 if the device cannot run the persistent kernel
+	bool any_size;            // true: the persistent kernel also executes runs for which launches are faster
+	Counters last;            // counters of the last read; they predict the number of items of a run
 } Persistent;
 
 enum // kernels of the relay, first for worlds without hubs, then with hubs; registers.cl defines specializations
@@ -113,7 +113,7 @@ typedef struct
 	int groups;        // number of work-groups of RELAY_COLORS resident at once; 0 if the device cannot run the relay
 	Scratch mailboxes; // MAILBOX_WORDS words per body; the border of the tiles uses them too
 	Scratch stream;    // STREAM_FLOAT4S float4s per constraint that is not in registers; tiles use it too
-	Scratch parts;     // two words per spoke and per hub
+	Scratch parts;     // two 64-bit words per spoke and per hub
 } RelayState;
 
 enum // kernels of kernels.cl that are specialized for worlds without some features
@@ -130,10 +130,10 @@ enum // kernels of tiles.cl that take all pools, in the order of their launches
 	TILE_COUNT,
 	TILE_ORDER,
 	TILE_PREPARE,
-	TILE_PREPARE_PLAIN, // replaces TILE_PREPARE in plain worlds
+	TILE_PREPARE_PLAIN, // replaces TILE_PREPARE if solve_plain() is true (STEP_PLAIN)
 	TILE_PASS,          // one kernel per kind of pass, in the order of PASS_*
 	TILE_BORDER = TILE_PASS + PASS_KINDS,
-	TILE_PREPARE_JOINTS, // worlds with joints: replaces TILE_PREPARE, and the next two the kernels above
+	TILE_PREPARE_JOINTS, // for worlds with joints: replaces TILE_PREPARE; the next two replace TILE_PASS, TILE_BORDER
 	TILE_PASS_JOINTS,
 	TILE_BORDER_JOINTS = TILE_PASS_JOINTS + PASS_KINDS,
 	TILE_KERNELS
@@ -141,13 +141,13 @@ enum // kernels of tiles.cl that take all pools, in the order of their launches
 
 enum
 {
-	TILE_PLACE_BUFFER,    // an int per body
-	TILE_EDGE_BUFFER,     // an int per body
-	TILE_RESIDENT_BUFFER, // an int per place of a tile
+	TILE_PLACE_BUFFER,    // an int per body: its place in the tiles
+	TILE_EDGE_BUFFER,     // an int per body: color of its first border constraint
+	TILE_RESIDENT_BUFFER, // an int per place of a tile: index of the body, or -1
 	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints per row: a row per tile, one for the border, one for its end
-	TILE_TOTAL_BUFFER,    // an int per row of TILE_TABLE_BUFFER
-	TILE_RANK_BUFFER,     // an int per constraint
-	TILE_ORDER_BUFFER,    // an int per place: constraints, and padding of the colors of the border
+	TILE_TOTAL_BUFFER,    // an int per row of TILE_TABLE_BUFFER: first place of the row
+	TILE_RANK_BUFFER,     // an int per constraint: number of earlier ones with the same row, color and kind
+	TILE_ORDER_BUFFER,    // an int per place of a constraint: index of its task; -1 for padding of the border
 	TILE_BUFFERS
 };
 
@@ -156,8 +156,8 @@ typedef struct
 	Kernel kernels[TILE_KERNELS];
 	cl_kernel total, begin, range;
 	Scratch buffers[TILE_BUFFERS];
-	bool stale;                 // true: constraints or motion constants may have changed since the last build
-	bool pushed, pushed_before; // true: fields changed forces since the last solve; `pushed` at the last build
+	bool stale;                 // true: constraints, bodies or leaves may have changed since the last build
+	bool pushed, pushed_before; // true: fields ran since the last solve with tiles; value of `pushed` at the last build
 	int rows;                   // number of tiles at the last build
 	cl_event edges_event;       // event of a read into `edges`; null if no read is in progress
 	cl_int edges[2];            // first place of the border, and one past the last; valid when edges_event is complete
@@ -191,7 +191,7 @@ typedef struct
 	size_t begin[PER_COUNT];   // bytes: offset of the pools of a kind in their buffer
 	int place[PER_COUNT];      // position of a kind in pools.def
 	int room[PER_COUNT];       // capacity of a kind: number of items, rounded up
-	int argument[PER_COUNT];   // argument index of a kind's buffer; without one, index in `begins` (kernel_bind)
+	int argument[PER_COUNT];   // argument index of a kind's buffer; if it has none, index in `begins` (kernel_bind)
 	size_t before[POOL_COUNT]; // bytes per item of the pools that precede a pool and have the same kind
 
 	Kernel kernels[KERNEL_COUNT], plain[PLAIN_KERNELS];
@@ -200,7 +200,7 @@ typedef struct
 	bool resident; // true: the program has the kernels whose work-groups must be resident at once
 	Persistent persistent;
 
-	SolveForm form; // form of the solve; FORM_LAUNCHES if memory for another form was insufficient
+	SolveForm form; // required form; FORM_ANY: the fastest; FORM_LAUNCHES after memory for another was insufficient
 	RelayState relay;
 	TileState tiles;
 	Kernel solve_end;

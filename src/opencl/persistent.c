@@ -8,13 +8,13 @@
 #include <string.h>
 
 // Maximum number of items of a run, in a solve and in other stages. Longer runs are faster as launches: bandwidth
-// limits them, and a launch has a higher occupancy than resident work-groups. H200, ms with the persistent kernel and
-// with launches: solve of scene pyramids (88 runs), 10k bodies 0.29 and 0.51, 100k 0.40 and 0.49, 300k 1.10 and 0.86;
-// short runs before the solve, 1M mixed bodies in motion with 3M contacts, 1.37 and 1.14.
+// limits them, and a launch has a higher occupancy than resident work-groups. Times on an H200, ms, persistent kernel
+// and launches. Solve of scene pyramids, 88 runs: 0.29 and 0.51 for 10k bodies; 0.40 and 0.49 for 100k; 1.10 and 0.86
+// for 300k. Short runs before the solve, 1M mixed bodies in motion with 3M contacts: 1.37 and 1.14.
 #define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 
-#define SPINS       (1 << 22) // limit of a spin-wait, in reads of about 0.5 us: 2 s, which no step takes
+#define SPINS       (1 << 22) // limit of a spin-wait, in reads of about 0.5 us: 2 s, longer than any step
 #define PROBE_SPINS (1 << 16) // limit of a spin-wait of the probe, which may fail: 30 ms
 #define PROBE_RUNS  64
 
@@ -46,7 +46,7 @@ static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int gr
 	return launch(d, kernel, (size_t)groups * own->kernel.group, own->kernel.group);
 }
 
-// Tests whether all work-groups are resident at once and read values that others wrote before a barrier. works: result.
+// Tests whether all work-groups are resident at once and read values that others wrote before a barrier. Sets *works.
 static scree_status probe(OpenCl* d, bool* works)
 {
 	Run runs[PROBE_RUNS];
@@ -87,7 +87,7 @@ scree_status persistent_open(OpenCl* d)
 	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_TABLE, sizeof d->primitives.table, &d->primitives.table));
 	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_PROBES, sizeof own->probes, &own->probes));
 
-	d->constants.version = 1; // kernels of the probe have a step as argument; its values do not matter
+	d->constants.version = 1; // kernels need a step as argument; its values do not matter for the probe
 	bool works;
 	TRY(probe(d, &works));
 	if (!works)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// persistent.cl -- executes many runs in one launch: a device-wide barrier follows each run that has items.
+// persistent.cl -- executes many runs in one launch, with device-wide barriers between runs.
 //
 // A barrier takes a quarter of the time of a launch. It needs all work-groups resident at once, which OpenCL does not
 // guarantee. So the host tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
@@ -65,8 +65,8 @@ INLINE bool device_barrier_await(const DeviceBarrier* b)
 }
 
 // Executes run k of the probe. Each work-item writes k for a work-item of another group, and checks that a work-item of
-// a third group wrote k - 1 for it in the last run. The reads are not volatile and repeat addresses, to detect a stale
-// cache.
+// a third group wrote k - 1 for it in the previous run. The reads are not volatile, and their addresses repeat, so a
+// stale cache is detected.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0), group = (int)get_local_size(0);
@@ -137,7 +137,7 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL
 	return true;
 }
 
-// Executes a run, one item per work-item. Kernels of groups and rare kernels are launched separately.
+// Cases of a switch: execute a run, one item per work-item. Kernels of groups and rare kernels are launched instead.
 #define CASE_ONE(name, p)                                \
 	case KERNEL_##name:                                   \
 		for (int i = run.begin + from; i < end; i += by) \
@@ -187,7 +187,7 @@ INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile 
 	return *found;
 }
 
-// Executes a primitive or a run of the probe. Returns false if a spin-wait reached its limit.
+// Executes a primitive, or a run of the barrier test (function probe). Returns false if a spin-wait reached its limit.
 INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, LOCAL SortMemory* bench,
                           DeviceBarrier* b, bool alone)
 {
@@ -200,12 +200,12 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 	return true;
 }
 
-// Executes the runs of a list. First in the list are PERSISTENT_HEADER ints: arrivals at barriers, value of this
-// counter after the last launch, next run of the first work-group. Then follow `count` runs, at most one for each
-// work-item of a group. A run may change the bounds of later runs, so each work-item holds one run and reads its bound
-// after every barrier: all bounds in one memory access, and runs without items take no time. The first group executes
-// consecutive short runs alone. Before, it waits until the others have arrived at the next device-wide barrier, because
-// these runs change bounds.
+// Executes the runs of a list. The list begins with PERSISTENT_HEADER ints. [0]: number of arrivals at barriers; [1]:
+// its value after the last launch; [2]: first run that all groups execute after runs of the first group alone. Then
+// follow `count` runs, at most one for each work-item of a group. A run may change the ends of later runs, so each
+// work-item holds one run and reads its end after every barrier: all ends in one memory access, and runs without items
+// take no time. The first group executes consecutive short runs alone. Before these runs it waits until the other
+// groups have arrived at the next device-wide barrier, and so have read the ends that these runs may change.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
 {

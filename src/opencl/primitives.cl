@@ -15,7 +15,7 @@ INLINE uint item_count(Run run, __global const int* counters)
 	return (uint)max(0, run.count < 0 ? run.end : min(run.end, counters[run.count]));
 }
 
-// Returns the number of items per part, a multiple of `grain`, if n items have at most `groups` parts.
+// Returns the number of items per part, a multiple of `grain`, such that n items have at most `groups` parts.
 INLINE uint part_size(uint n, uint groups, uint grain)
 {
 	uint grains = (n + grain - 1) / grain;
@@ -40,7 +40,7 @@ INLINE uint group_scan(LOCAL uint* sum, uint x)
 	return all - x;
 }
 
-typedef struct __attribute__((aligned(8))) // local memory of a work-group; sort_few keeps 64-bit keys in `member`
+typedef struct __attribute__((aligned(8))) // local memory of a work-group; sort_few uses `member` for 64-bit keys
 {
 	uint sum[PRIMITIVE_GROUP];
 	uint member[2][SORT_WORDS][SORT_DIGITS];
@@ -64,9 +64,9 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 	table[block * SORT_DIGITS + t] = count[t];
 }
 
-// Writes the keys of a part to their places, sorted stably by one digit. There is a bit mask per digit and 32
-// work-items: each work-item sets its bit in the mask of its key's digit, and the number of lower bits is the rank of
-// the key. Work-item t keeps the next place of digit t.
+// Writes the keys of a part to their places, sorted stably by one digit. Every 32 work-items have a bit mask per digit.
+// A work-item sets its bit in the mask of its digit; the number of lower bits that are set is the rank of its key among
+// keys with this digit. Work-item t keeps the next place of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
@@ -115,8 +115,9 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Sorts up to SORT_FEW keys stably by bits `from` to end - 1. The place of a key is the number of smaller keys and of
-// equal keys before it. Each work-group has all keys in local memory; SORT_TEAM work-items count for one key.
+// Sorts up to SORT_FEW keys stably by bits `from` to `end` - 1. The place of a key is the number of smaller keys plus
+// the number of equal keys before it. Each work-group has all keys in local memory; SORT_TEAM work-items count for one
+// key.
 INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
                      LOCAL SortMemory* bench)
 {

@@ -4,7 +4,7 @@
 #define OPENCL_QUEUE_H
 #include "opencl/opencl_state.h"
 
-// Bytes of Staging.pinned. If uploads exceed this size, the host waits. A step that replaces 4,000 bodies uploads 1 MB.
+// Bytes of Staging.pinned. If uploads in progress exceed it, the host waits. Replacing 4,000 bodies uploads 1 MB.
 #define STAGING_BYTES ((size_t)8 << 20)
 
 scree_status timing_open(OpenCl* d);
@@ -12,10 +12,10 @@ scree_status timing_open(OpenCl* d);
 // Returns the number of work-groups of size `group` for `items` items, at least 1.
 static inline size_t groups_of(int items, size_t group) { return items > 0 ? ((size_t)items + group - 1) / group : 1; }
 
-// Launches a kernel. items: number of work-items, a multiple of group.
+// Launches a kernel. group: work-items per work-group; items: number of work-items, a multiple of `group`.
 scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group);
 
-// Copies bytes to a buffer, in order with the launches. The caller may overwrite `bytes` after the call.
+// Copies `count` bytes to a buffer, in order with the launches. The caller may overwrite `bytes` after the call.
 scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
 
 // Waits for the queue, and adds up the times of the launches.

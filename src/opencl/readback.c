@@ -21,7 +21,7 @@ static scree_status counters_note(Backend* b, const Counters* counters)
 {
 	OpenCl* d = b->state;
 	d->persistent.last = *counters;
-	// tiles are stale if the layout of constraints has changed; a solve that was enqueued early has then done nothing
+	// tiles are stale if the layout of constraints has changed; a solve that was enqueued before has then done nothing
 	d->tiles.stale |= counters->changed || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
@@ -50,7 +50,7 @@ scree_status opencl_read_end(Backend* b, void* items)
 	TRY(CALL(WaitForEvents, 1, &d->read.event));
 	opencl.ReleaseEvent(d->read.event);
 	d->read.event = NULL;
-	// if no upload was enqueued after this read, all uploads are done
+	// if no upload was enqueued after this read was enqueued, all uploads are done
 	if (d->staging.used == d->read.staged)
 		d->staging.used = 0;
 	memcpy(items, d->read.pinned.memory, d->read.bytes);

@@ -9,7 +9,7 @@
 #include "platform/processor.h"
 #include <string.h>
 
-#define TRANSFER_PART    (TRANSFER_BLOCK / 2) // bytes of a part of a block; the bus is idle until one part is copied
+#define TRANSFER_PART    (TRANSFER_BLOCK / 2) // bytes of a part of the array; the bus is idle until one part is copied
 #define TRANSFER_THREADS 6
 
 typedef struct

@@ -6,7 +6,7 @@
 
 #define TRANSFER_BLOCK ((size_t)8 << 20) // bytes of a block of pinned memory
 
-// Returns whether transfer_up and transfer_down are faster than a plain copy for `count` bytes.
+// Returns whether transfer_up and transfer_down are faster than a plain copy of `count` bytes.
 bool transfer_wanted(const OpenCl* d, size_t count);
 
 // transfer_up copies bytes to a buffer, in order with the queue; the caller may overwrite them after the call.
@@ -19,12 +19,12 @@ scree_status transfer_open(OpenCl* d);
 unsigned char* transfer_block(const OpenCl* d, int block);
 // Waits for the last command that uses a block.
 scree_status transfer_settle(OpenCl* d, int block);
-// Enqueue a transfer between an unused block (transfer_settle) and a buffer. wait: event before it, or null.
+// Enqueue a transfer between an unused block (transfer_settle) and a buffer. wait: event that precedes it, or null.
 scree_status transfer_send(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                            size_t bytes);
 scree_status transfer_fetch(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                             size_t bytes);
-typedef struct // a copy within host memory; transfer_copy divides its copies among all threads
+typedef struct // a copy within host memory; transfer_copy divides each copy among all threads
 {
 	void* to;
 	const void* from;

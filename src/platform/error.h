@@ -10,7 +10,7 @@
 #define FORMAT(a, b)
 #endif
 
-// Sets the message that scree_error returns on this thread. Returns status.
+// Sets the message that scree_error returns on this thread. Returns `status`.
 scree_status fail(scree_status status, const char* format, ...) FORMAT(2, 3);
 
 #define TRY(expression)                         \
@@ -25,7 +25,8 @@ void log_sentence(scree_log_level level, const char* format, ...) FORMAT(2, 3);
 
 // Allocates zeroed memory, aligned to 64 bytes, with the allocator hook, or returns null. bytes may be 0.
 void* scree_allocate(size_t bytes);
-// Resizes memory: keeps its first old_bytes bytes and clears new bytes. On failure returns null and changes nothing.
+// Resizes memory: keeps the first bytes, up to old_bytes; new bytes are zero. On failure returns null and changes
+// nothing.
 void* scree_reallocate(void* memory, size_t old_bytes, size_t bytes);
 void scree_release(void* memory); // memory may be null
 

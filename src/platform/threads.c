@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // threads.c -- implements workers that share the blocks of a job.
 //
-// The caller publishes a job: its number and its number of blocks, in one word, the turn. Each worker claims and
-// processes the block that has the worker's number; idle workers soon claim blocks that are still unclaimed. So a
-// worker that sleeps, or has lost its core, delays no other worker unless it has claimed a block. A claim contains the
-// number of the job: a late worker finds all blocks of its job claimed, and continues with the current job. Similar:
-// Erin Catto, SIMD Matters, box2d.org, 2024.
+// The caller publishes a job as one word, the turn: the number of the job and the number of its blocks. Each worker
+// claims and processes the block that has the worker's number. Soon after, idle workers claim the remaining blocks. So
+// a worker that sleeps, or has lost its core, delays no other worker unless it has claimed a block. A claim contains
+// the number of the job: a late worker finds all blocks of its job claimed, and continues with the current job. A
+// similar method: Erin Catto, SIMD Matters, box2d.org, 2024.
 //
 // A waiting worker spins first, because a step has hundreds of jobs of about 1 us. Then it yields its core, because
 // another worker may need the core on a busy machine; adapt_spins adapts the number of spins. After its yields a worker
@@ -19,8 +19,8 @@
 
 #define CACHE_LINE 64
 
-// Number of pause instructions, 20 to 50 ns each, in a spin. A spin must take longer than a job when all workers run.
-// It must be shorter than a time slice, because a spinning worker may occupy the core of a working one.
+// Number of pause instructions, 20 to 50 ns each, in a spin. If all workers run, a spin must take longer than a job. It
+// must be shorter than a time slice, because a spinning worker may occupy the core of a working one.
 #define SPINS        1000
 #define FEWEST_SPINS 16
 #define YIELDS       20 // number of yields after the spin, before the worker sleeps; its wake-up takes about 50 us
@@ -36,7 +36,7 @@ typedef struct
 	Mutex mutex;
 	Condition woken;
 	bool sleeps;                                // protected by mutex
-	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the last job of which the block of this seat was claimed
+	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the latest job that had its block of this seat claimed
 } Seat;
 
 struct Threads
@@ -66,8 +66,8 @@ static void pause_core(void)
 #endif
 }
 
-// Shortens later spins if the job came after exactly one yield, because workers then share a core. Otherwise (at_once)
-// lengthens them, because workers run at the same time.
+// Adapts the number of pause instructions in later spins. at_once false (the job came after exactly one yield): lowers
+// it, because workers share a core. at_once true: raises it, because workers run at the same time.
 static void adapt_spins(Threads* t, int spins, bool at_once)
 {
 	int next = at_once ? spins + spins / 4 + 1 : spins - spins / 4;
@@ -147,7 +147,7 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 
 static int blocks_of(unsigned long long turn) { return (int)(turn & ((1 << BLOCK_BITS) - 1)); }
 
-// Claims a block of a job and processes the block. The job's data exist until all of its blocks are done.
+// Claims and processes a block of a job, unless it is claimed. The data of the job exist until all blocks are done.
 static void try_block(Threads* t, unsigned long long turn, int block)
 {
 	unsigned long long job = turn >> BLOCK_BITS,

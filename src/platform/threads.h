@@ -22,8 +22,8 @@ int threads_workers(const Threads* t);
 void threads_begin(Threads* t);
 void threads_end(Threads* t);
 
-// Processes blocks 0 to blocks - 1 and returns when all are done; `blocks` may not exceed the number of workers. Worker
-// k processes block k, because its caches hold the data. If worker k sleeps or has no core, another worker does so.
+// Processes blocks 0 to `blocks` - 1 and returns when all are done; `blocks` may not exceed the number of workers.
+// Worker k processes block k, because its caches hold the data; if it sleeps or has no core, another worker does.
 void threads_run(Threads* t, BlockFunction* function, void* context, int blocks);
 
 // Wakes the workers and processes a single job, with as many blocks as workers.

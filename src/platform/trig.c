@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // trig.c -- computes sine, cosine and arc tangent on the host, by power series after an exact reduction of the angle.
 //
-// This work is based on: Mary Payne, Robert Hanek, Radian Reduction for Trigonometric Functions, 1983: a large angle is
+// The reduction follows Mary Payne, Robert Hanek, Radian Reduction for Trigonometric Functions, 1983: a large angle is
 // multiplied only by those digits of 1 / (2 pi) that affect the fraction of a turn.
 #include "platform/trig.h"
 #include "scree/scree.h"

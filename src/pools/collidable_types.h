@@ -17,17 +17,17 @@
 #define SENSOR_BITS    (SENSOR_MOVING | SENSOR_STATIC | SENSOR_SENSORS)
 
 // Bits of the pool collidable_flags.
-#define COLLIDABLE_NEW_BOX 1                             // the box differs from old_box
-#define COLLIDABLE_FAST    2                             // the motion of this step may exceed the speculative distance
-#define COLLIDABLE_MOVING  4                             // the collidable is not at rest in this step
+#define COLLIDABLE_NEW_BOX 1 // the enlarged box is new in this step; old_box has the previous one
+#define COLLIDABLE_FAST    2 // the motion in this step may exceed half of the distance at which contacts begin
+#define COLLIDABLE_MOVING  4 // the motion in this step exceeds a small tolerance (SWEEP_REST)
 #define GRAIN_SIZE         (2.0f * SPECULATIVE_DISTANCE) // m: thinner dynamic collidables have smaller tolerances
 // First of the bits for thickness. Bit k of them is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k.
 // The tolerances of a contact are halved for each bit that one of its collidables has, because they could otherwise
 // exceed the size of the smaller body.
 #define COLLIDABLE_GRAIN 8 // bit 0
 #define GRAIN_LEVELS     5
-// First of the bits for the reach, defined like those for thickness. They scale the largest gap of contact points,
-// because a long body needs points at both ends.
+// First of the bits for the reach. A collidable with bits for thickness has bit k of them if its reach is below 4
+// GRAIN_SIZE / 2^k. They scale the largest gap of contact points, because a long body needs points at both ends.
 #define COLLIDABLE_REACH  (COLLIDABLE_GRAIN << GRAIN_LEVELS)
 #define COLLIDABLE_GRAINS (COLLIDABLE_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
 
@@ -35,13 +35,13 @@
 #define KIND_STATIC    1
 #define KIND_KINEMATIC 2
 #define KIND_DYNAMIC   3
-#define KIND_FREE      4 // not placed on a body
+#define KIND_FREE      4 // collidable in the world, without a body
 #define KIND_SENSOR    8 // flag added to the kind of a sensor
 
 typedef struct // 160 bytes
 {
 	Float2 vertices[8]; // m, counter-clockwise
-	Float2 normals[8];  // outward normal of the edge from vertex i to i + 1
+	Float2 normals[8];  // outward unit normal of the edge from vertex i to vertex i + 1
 	float radius;       // m
 	int count;          // number of vertices: 1 circle, 2 capsule and segment, 3 to 8 polygon
 	float friction, restitution, rolling_resistance;

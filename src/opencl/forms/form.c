@@ -8,12 +8,13 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-#define RELAY_CONSTRAINTS 1000000 // maximum number of constraints for which a relay is faster than tiles
+#define RELAY_CONSTRAINTS 1000000 // maximum number of constraints for which a relay is faster than the other forms
 
-// Maximum number of groups of the kernel continuous per compute unit. Items of one group would delay each other.
+// Maximum number of work-groups per compute unit for the kernel continuous. Up to this number each item has a
+// work-group of its own, because items that share a work-group delay each other.
 #define CONTINUOUS_GROUPS 12
 
-// arguments of the kernel solve_end that follow the step
+// indices of the arguments of the kernel solve_end that follow the step
 enum
 {
 	END_BODIES = ARGUMENT_STEP + 1,
@@ -22,7 +23,7 @@ enum
 	END_BOUND
 };
 
-// Reserves memory for a solve by relay or tiles. On failure the solve uses launches by color, which need no memory.
+// Reserves memory for a solve by relay or tiles. If this fails, the solve uses launches by color, without this memory.
 static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 {
 	return form == FORM_RELAY ? relay_reserve(d, solve) : tiles_reserve(d, solve);
@@ -42,7 +43,8 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 
-// Integrates bodies without constraints, finalizes all bodies, and tests fast bodies for continuous collision.
+// Integrates bodies without constraints, finalizes all bodies, tests fast bodies for continuous collision, and
+// finalizes joints if their rare rows are in use.
 static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;

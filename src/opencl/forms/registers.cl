@@ -6,7 +6,7 @@
 
 // Specializations of a kernel set members of Step to constants, for fewer registers and a higher occupancy. STEP_PLAIN:
 // worlds without joints, radii, restitution, rolling resistance and tangent speed. On an H200, a solve of a million
-// stacked boxes takes 1.379 ms with STEP_PLAIN and 1.420 ms without.
+// stacked boxes takes 1.379 ms with STEP_PLAIN and 1.420 ms without it.
 #define STEP_JOINTS(step)   ((void)0)
 #define STEP_HINGES(step)   ((step).springs = (step).couplings = (step).paths = 0)
 #define STEP_CONTACTS(step) ((step).joints = (step).has_drives = (step).springs = (step).couplings = (step).paths = 0)
@@ -59,8 +59,8 @@ INLINE bool all_zero(const float* values, int count)
 }
 
 // Computes the state before pass q of a body on which no constraint acts. Each work-item that needs this state computes
-// it: a stored state could be replaced only after all work-items have read it. A body at rest takes one substep: if
-// body_accelerate leaves it at rest, its arguments have the same bits in later substeps, and body_move adds nothing.
+// it: a shared copy could be updated only after all work-items have read it. If body_accelerate leaves a body at rest,
+// the loop ends: all later substeps have the same arguments, bit for bit, and the same result.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];
@@ -86,13 +86,13 @@ INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[
 	}
 }
 
-typedef struct // one body of a constraint; moves: constraints can change its velocity
+typedef struct // one body of a constraint
 {
-	int body, before; // before: number of constraints of the body that precede this one in a pass
-	bool moves, last; // last: no other constraint of the body follows in a pass
+	int body, before; // before: number of constraints and hub colors of the body that precede this constraint in a pass
+	bool moves, last; // moves: constraints can change its velocity; last: no other constraint of it follows in a pass
 } Side;
 
-// Returns one side of a constraint of the given color. hubs: the world has hubs, which a pass solves before the colors.
+// Returns one side of a constraint of the given color. hubs: true if a pass solves hubs before the colors.
 INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 {
 	Side side;
@@ -143,7 +143,8 @@ INLINE void registers_bodies(const Pools* p, Registers* u)
 	u->b.da = 0.0f;
 }
 
-// Prepares and loads a constraint and the masses of its bodies, but not its sides; derives the values of the passes.
+// Prepares a constraint, loads it with the masses of its bodies, and derives the values that passes need. Sets only the
+// member `body` of its sides.
 OUT_OF_LINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 {
 	Registers u;
@@ -221,8 +222,8 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 	return (__global float2*)(stream + STREAM_QUADS * n) + i;
 }
 
-// Accesses to column k. `quads`, `pairs`: addresses of a constraint in the first column of float4 and in the first
-// column of float2; n: length of a column.
+// Macros that access column k of the stream. `quads`, `pairs`: addresses of a constraint in the first column of float4
+// and in the first column of float2; n: length of a column.
 #define STREAM_SKIP_QUAD(k, c0, c1, c2, c3)
 #define STREAM_STORE_QUAD(k, c0, c1, c2, c3)        quads[k * n] = make_float4(c0, c1, c2, c3);
 #define STREAM_STORE_PAIR(k, read, written, c0, c1) pairs[k * n] = make_float2(c0, c1);
@@ -246,8 +247,8 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 		pairs[k * n] = make_float2(c0, c1);
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                   \
-	/* stream_store: stores constraint j and `name`, a number of the caller. stream_load: loads the columns \
-	   that passes read. stream_update: stores the columns that passes write. */                            \
+	/* stream_store: stores constraint j, and `name`, a number that stream_load returns. stream_load loads  \
+	   the columns that the given passes read; stream_update stores the columns that they write. */         \
 	INLINE void kind##_stream_store(const Kind* u, float name, __global float4* stream, int n, int j)       \
 	{                                                                                                       \
 		__global float4* quads = stream + j;                                                                \
@@ -270,7 +271,7 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// registers_store writes all columns of constraint j to the stream, registers_update those that a pass changes.
+// registers_store writes all columns of constraint j to the stream; registers_update writes those that a pass changes.
 OUT_OF_LINE void registers_store(const Registers* u, __global float4* stream, int n, int j)
 {
 	if (u->inert)
@@ -309,7 +310,7 @@ INLINE Side side_load(int body, int sides)
 	return side;
 }
 
-// Returns the constraint of task t, loaded from place j of the stream.
+// Returns the constraint of task t, loaded from place j of the stream; it is inert if the place is padding.
 OUT_OF_LINE Registers registers_load(const Pools* p, int t, __global float4* stream, int n, int j)
 {
 	Registers u;
@@ -336,7 +337,8 @@ OUT_OF_LINE Registers registers_load(const Pools* p, int t, __global float4* str
 	return u;
 }
 
-// Integrates bodies without constraints, and finalizes all bodies. The kernel continuous follows.
+// Integrates bodies without constraints, and finalizes all bodies; does nothing if the counter with index `bound` is 0.
+// The kernel continuous follows.
 __kernel void solve_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int passes, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};

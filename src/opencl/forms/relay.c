@@ -6,14 +6,14 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// limits of a spin-wait, in reads of about 0.5 us: 2 s for a solve, 30 ms for the probe
+// limits of a spin-wait, in reads of about 0.5 us: 2 s for a solve, 30 ms for the probe; number of rounds of the probe
 #define SPINS        RELAY_MAX_SPINS
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
-// Maximum work-items per constraint, only one of which computes. A warp is delayed until the last of its constraints is
-// solved, so a warp with fewer constraints is delayed less. H200, solve of scene washer, 4,600 constraints: 0.335,
-// 0.315, 0.294, 0.287, 0.288, 0.290 ms with 1, 2, 4, 8, 16, 32 work-items per constraint.
+// Maximum number of work-items per constraint. Only one of them computes; the others are idle. A warp takes as long as
+// the slowest of its constraints, so warps with fewer constraints are faster. H200, solve of scene washer, 4,600
+// constraints: 0.335, 0.315, 0.294, 0.287, 0.288, 0.290 ms with 1, 2, 4, 8, 16, 32 work-items per constraint.
 #define MAX_SPREAD 8
 
 // kernel arguments that follow the step: RELAY_* for relay, HUBS_* for relay_hubs; both kernels have the first two
@@ -59,7 +59,7 @@ static bool solve_hinges(const OpenCl* d)
 	return !step->springs && !step->couplings && !step->paths;
 }
 
-// Return the kernel for the features of the current world: relay_kernel without hubs, hubs_kernel with hubs.
+// Return the kernel for the features of the world: relay_kernel if it has no hubs, hubs_kernel if it has hubs.
 static Kernel* relay_kernel(OpenCl* d)
 {
 	int plain = solve_plain(d) ? RELAY_PLAIN : RELAY_COLORS, joints = solve_hinges(d) ? RELAY_HINGES : RELAY_JOINTS;
@@ -72,7 +72,7 @@ static Kernel* hubs_kernel(OpenCl* d)
 	return &d->relay.kernels[d->constants.step.joints ? joints : RELAY_HUBS];
 }
 
-// Returns the number of work-groups that solve hubs; the others solve colors. A single resident group solves both.
+// Returns the number of work-groups that solve hubs; the others solve colors. If only one is resident, it solves both.
 static size_t hub_groups(OpenCl* d, const Solve* solve)
 {
 	size_t most = hubs_kernel(d)->groups > 1 ? (size_t)hubs_kernel(d)->groups / 2 : 1,
@@ -85,7 +85,7 @@ static size_t other_most(OpenCl* d, const Solve* solve)
 	return (size_t)hubs_kernel(d)->groups - hub_groups(d, solve);
 }
 
-// Returns the number of work-items per constraint: a power of two for which `places` work-items are enough.
+// Returns the number of work-items per constraint: a power of two up to MAX_SPREAD, as large as `places` allows.
 static int spread_of(int constraints, size_t places)
 {
 	int spread = 1;
@@ -135,8 +135,8 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 	return SCREE_OK;
 }
 
-// Computes the number of work-groups that are resident at once. A CPU runs work-items one by one, so it gets one
-// work-group of one work-item.
+// Computes a lower bound of the number of work-groups that are resident at once. A CPU runs work-items one by one, so
+// it gets one work-group of one work-item.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
 	size_t most = 0;
@@ -204,7 +204,7 @@ void relay_close(OpenCl* d)
 	scratch_release(&d->relay.parts);
 }
 
-// Sets the arguments that both kernels have. substeps: index of the argument `substeps`, which four others follow.
+// Sets the arguments that both kernels have. substeps: index of the argument `substeps` and the first of five.
 static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
 {
 	cl_int spins = SPINS;

@@ -5,29 +5,30 @@
 // solved as soon as the previous constraint of each of its bodies is solved.
 //
 // Each body has a mailbox in global memory: two 64-bit words of velocity and two of displacement, each with components
-// and a ticket. A constraint spin-waits until its ticket is in the mailboxes of both bodies, solves, and writes the new
-// velocities with the next tickets. No memory fence is needed: words are read and written atomically, and only the
-// constraint whose ticket a mailbox has writes to it. The last constraint of a body in a pass integrates the body.
+// and a ticket. A constraint spin-waits until its tickets are in the mailboxes of both bodies. Then it is solved, and
+// writes the new velocities with the next tickets. No memory fence is needed: words are read and written atomically,
+// and only the constraint whose ticket is in a mailbox writes to this mailbox. The last constraint of a body in a pass
+// integrates the body.
 //
 // All work-items must be resident at once and make progress independently; relay_probe tests this. Each work-item does
-// its tasks in the order of passes, then of colors. The first unfinished task in this order never waits: no deadlock.
+// its tasks by pass, then by color. The first unfinished task in this order never waits, so there is no deadlock.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-#define PAUSE_NS 50 // ns: pause of a spin-wait between reads; it leaves bandwidth to work-items whose tickets are next
+#define PAUSE_NS 50 // ns: pause of a spin-wait between two reads; it leaves memory bandwidth to other work-items
 #ifdef __NV_CL_C_VERSION
 #define PAUSE(ns) asm volatile("nanosleep.u32 %0;" ::"r"((uint)(ns)))
 #else
 #define PAUSE(ns)
 #endif
 
-// macros that read and write two words of a mailbox, each word atomically; emulated kernels in tests define others
+// macros that read and write two words of a mailbox, each word atomically; emulations in tests define other macros
 #ifndef MAILBOX_READ
 #define MAILBOX_READ(words)                 (*(volatile __global const ulong2*)(words))
 #define MAILBOX_WRITE(words, first, second) (*(volatile __global ulong2*)(words) = (ulong2)((first), (second)))
 #endif
 
-typedef struct // values that are constant in all tasks
+typedef struct // values that all tasks of a solve share
 {
 	volatile __global ulong* mailboxes; // zero at the beginning of a step
 	int substeps;
@@ -35,7 +36,7 @@ typedef struct // values that are constant in all tasks
 	int spins;  // maximum number of reads of a spin-wait
 } Relay;
 
-// Returns the ticket of a constraint in pass q. before: number of constraints solved before it on the same body.
+// Returns the ticket of a constraint in pass q. before: number of tasks of the same body before it in the pass.
 INLINE uint relay_ticket(int q, int before) { return RELAY_TICKETS * (uint)q + (uint)before + 1u; }
 
 // Unpacks three 32-bit components from two words. Returns whether the 16-bit tickets of both words equal `ticket`.
@@ -118,8 +119,8 @@ INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, 
 	}
 }
 
-// Loads the constants for integration. Also loads the body if no constraint sends it: it cannot move, or this is its
-// first constraint of the step.
+// Loads the values for integration. Also loads a body that no constraint sends: it cannot move, or the pass is the
+// first and has no earlier constraint of the body.
 INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body* body, float m[8], float base[4])
 {
 	if (!side.moves || (q == 0 && side.before == 0))
@@ -134,8 +135,8 @@ INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body
 	relay_load_motion(p, r, side, q, m, base);
 }
 
-// Waits for tickets in two mailboxes and reads three components of each. Returns false if this or another spin-wait
-// reached its limit.
+// Waits for tickets in two mailboxes and reads three components of each. wait_a, wait_b: false to leave a mailbox and
+// its components out. Returns false if this or another spin-wait reached its limit.
 INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __global ulong* mailbox_a, uint ticket_a,
                        Vec* a, float* wa, bool wait_b, volatile __global ulong* mailbox_b, uint ticket_b, Vec* b,
                        float* wb)
@@ -154,8 +155,9 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 	return true;
 }
 
-// Executes pass q of a constraint. Returns false if a ticket did not arrive. in_step: all work-items of the group call
-// this function together, and it fails in all of them if it fails in one; no two of their constraints share a body.
+// Executes pass q of a constraint. Returns false if a ticket did not arrive. in_step: true if all work-items of the
+// group call this function together; then it fails in all of them or in none, and no two of their constraints may share
+// a body.
 INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile LOCAL int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
@@ -204,7 +206,8 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 }
 
 // Executes all passes of all constraints; does nothing if the counter with index `bound` is 0. The kernel solve_end
-// integrates bodies without constraints. stream: STREAM_FLOAT4S float4s per constraint that is not in registers.
+// integrates bodies without constraints. stream: STREAM_FLOAT4S values of type float4 per constraint; not used if all
+// constraints fit into registers.
 INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
                         volatile LOCAL int* fault)
 {

@@ -4,7 +4,7 @@
 #define OPENCL_RELAY_H
 #include "opencl/opencl_state.h"
 
-// relay_bind sets the buffer of a kind as kernel argument; relay_open tests whether the device can run the relay.
+// relay_bind sets the buffer of a kind as an argument of each kernel; relay_open tests whether the device can run them.
 scree_status relay_create(OpenCl* d);
 scree_status relay_bind(OpenCl* d, Per per);
 scree_status relay_open(OpenCl* d);
@@ -12,7 +12,7 @@ void relay_close(OpenCl* d);
 scree_status relay_reserve(OpenCl* d, const Solve* solve);
 scree_status mailboxes_reserve(OpenCl* d, const Solve* solve); // called for tiles too: a relay solves their border
 scree_status relay_run(OpenCl* d, const Solve* solve);
-// Returns whether the step needs only the kernels for plain worlds (STEP_PLAIN).
+// Returns whether there are no joints, radii, restitution, rolling resistance and tangent speeds (STEP_PLAIN).
 bool solve_plain(const OpenCl* d);
 
 #endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // relay_hub.cl -- executes a solve as a relay in a world with hubs: some work-groups solve hubs, the others colors.
 //
-// In each pass, the hub colors of a body come first, then its colors. The work-group of a hub waits for the mailboxes
-// that belong to the hub and its neighbors, solves all spokes together (hub.h), and sends each body to its next hub or
-// first color. If a body is split into parts, one work-item adds up the parts and sends the body on.
+// In each pass, the hub colors of a body come first, then its colors. The work-group of a hub waits for its tickets in
+// the mailboxes of the hub and its neighbors, solves all spokes together (hub.h), and sends each body to its next hub
+// or first color. If a body is split into parts, one work-item adds up the parts and sends the body on.
 //
 // Order of tasks: by pass; in a pass, hub colors before colors; in a hub color, hubs before split bodies. The first
-// unfinished task in this order never waits.
+// unfinished task in this order never waits, so there is no deadlock.
 #include "opencl/forms/relay.cl"
 
 // Returns the side of a body in hub color `turn`; side.before: number of the body's hub colors before it.
@@ -21,7 +21,7 @@ INLINE Side relay_side(const Pools* p, int body, int turn)
 	return side;
 }
 
-// Receives a body for pass q. Returns false if its ticket did not arrive.
+// Receives a body for pass q, or loads it if no task sends it. Returns false if its ticket did not arrive.
 OUT_OF_LINE bool relay_receive(const Pools* p, const Relay* r, Side side, int q, Body* b)
 {
 	float row[8];
@@ -43,7 +43,7 @@ OUT_OF_LINE bool relay_receive(const Pools* p, const Relay* r, Side side, int q,
 	return ok;
 }
 
-// Sends a body with a new velocity from a hub in pass q to its next hub, its first color or the next pass.
+// Sends a body with its new velocity, computed in pass q of a hub, to its next hub, its first color or the next pass.
 OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, int q, float vx, float vy, float w)
 {
 	Body b;
@@ -68,8 +68,8 @@ OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, 
 	relay_finish_pass(p, r, side, q, b, m, base);
 }
 
-// Sends the velocity of a part of a body to the work-item that adds up the parts. Parts are never cleared: tickets rise
-// within a step and begin at 1 in the next step, so no part from an earlier pass has the ticket of a later pass.
+// Sends the velocity of a part of a body to the work-item that adds up the parts. Parts need not be cleared: a part
+// from the last step has the ticket of the last pass, never 1, and pass 0 of this step overwrites it.
 INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
 {
 	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
@@ -83,8 +83,8 @@ INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global
 	return relay_wait(p, r, true, parts + 2 * (ulong)k, (uint)q + 1u, v, w, false, parts, 0u, &none, &no);
 }
 
-// Executes pass q of hub n in a work-group. If a ticket did not arrive, sets *fault and solves nothing. parts: for each
-// spoke the part of its neighbor, followed by one part for each hub.
+// Executes pass q of hub n in a work-group. If a ticket did not arrive, sets *fault and solves nothing. parts: one part
+// for the neighbor of each spoke, then one part for each hub.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
                       LOCAL float* bench, volatile LOCAL int* fault)
 {
@@ -122,8 +122,8 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	}
 }
 
-// Adds up the parts of a split body in pass q of hub color `turn`, like the kernel hub_merge, and sends the body on.
-// Returns false if a ticket did not arrive. i: index of the body's first spoke in spoke_order.
+// Adds up the parts of a split body in pass q of hub color `turn`, like the kernel hub_merge, and sends the body on; i:
+// index of its first spoke in spoke_order (otherwise does nothing). Returns false if a ticket did not arrive.
 OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
 	int spoke = hub_merged(p, i, turn);
@@ -159,11 +159,11 @@ OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global u
 
 typedef struct // the tasks of a work-group and a work-item
 {
-	bool hubs, colors;                // true: the group solves hubs; the group solves constraints with colors
-	int group, hub_groups, hub_count; // the group solves every hub_groups-th hub from `group` on, of hub_count hubs
-	int spokes;
-	int begin, stride, constraints; // the work-item solves every stride-th constraint from `begin` on
-	bool streamed;                  // false: the work-item has one constraint, which stays in registers
+	bool hubs, colors;                // true: the work-group solves hubs; it solves constraints with colors
+	int group, hub_groups, hub_count; // the work-group solves hubs `group`, `group` + hub_groups, ... below hub_count
+	int spokes;                       // number of spokes, including padding
+	int begin, stride, constraints;   // the work-item solves constraints `begin`, `begin` + `stride`, and so on
+	bool streamed;                    // false: the work-item has one constraint, which stays in registers
 	__global float4* stream;
 } HubTasks;
 
@@ -263,8 +263,8 @@ INLINE void hub_tasks_store_colors(const Pools* p, const HubTasks* t, Registers*
 	}
 }
 
-// Executes all passes like relay_tasks, but the first hub_groups work-groups solve hubs, and the others constraints
-// with colors. A single work-group solves both. parts: two words per spoke and per hub.
+// Executes all passes like relay_tasks, but the first hub_groups work-groups solve hubs, and the other groups solve
+// constraints with colors. A single work-group solves both. parts: two 64-bit words per spoke and per hub.
 INLINE void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* stream, int bound, int spread,
                             __global ulong* parts, int hub_groups, LOCAL float* bench, volatile LOCAL int* fault)
 {

@@ -8,7 +8,7 @@ typedef struct // bodies of a tile in local memory
 	float4 moved[TILE_BODIES + 1];  // displacement x, y, rotation, inverse inertia
 } Tile;
 
-// Loads a body into local memory, integrated up to pass q. resident: index of the body, plus TILE_PLAIN if it is plain.
+// Loads a body, integrated up to pass q, into place k of a tile. resident: its index, plus TILE_PLAIN if it is plain.
 INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, LOCAL Tile* tile, int k)
 {
 	int body = resident & ~TILE_PLAIN;
@@ -88,8 +88,8 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
-// Returns place `at` if it is in column *column; otherwise sets *column to the next column with constraints, and
-// returns the first place of that column.
+// Returns place `at` if it is in column *column. Otherwise sets *column to the next column with constraints
+// (TILE_LAST_COLUMN if there is none), and returns the first place of that column.
 INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
@@ -118,7 +118,8 @@ INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column
 INLINE bool tile_has(const Pools* p, int kind) { return kind == CONSTRAINT_CONTACT || p->step.joints; }
 
 // Prefetches the next constraints of a work-group, one work-item per cache line. Memory bandwidth limits the pass: on
-// an H200, early loads into registers make it 6 % slower than this prefetch, and a higher occupancy saves no time.
+// an H200, loading the next constraints into registers makes a pass 6 % slower than this prefetch, and a higher
+// occupancy saves no time.
 INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;

@@ -9,9 +9,9 @@
 
 #define BORDER_SHARE 0.1 // stale tiles are rebuilt if the last border contained at most this share of the constraints
 #define BORDER_AGE   64  // number of solves without tiles after which tiles are built, to measure the border
-#define BORDER_GRAIN 64  // border constraints per work-group, for a small border; fewer per group take longer
+#define BORDER_GRAIN 64  // number of border constraints per work-group if the border is small; more groups take longer
 
-// names of kernels, and maximum work-items per work-group
+// names of kernels, and maximum number of work-items per work-group
 static const struct
 {
 	const char* name;
@@ -75,7 +75,7 @@ scree_status tiles_bind(OpenCl* d, Per per)
 	return SCREE_OK;
 }
 
-// number of tiles; each collidable has at most one leaf
+// number of tiles; they have a place for each collidable, because a collidable has at most one leaf
 static cl_int row_count(const OpenCl* d) { return (d->constants.step.collidables - 1) / TILE_BODIES + 1; }
 
 // number of places: one per constraint, and padding for the colors of the border
@@ -171,7 +171,7 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	t->age = 0;
 	if (t->edges_event)
 		return SCREE_OK;
-	// last two entries of total: begin and end of the border
+	// last two entries of `total`: first place of the border, and one past its last place
 	TRY(CALL(EnqueueReadBuffer, d->queue, total, CL_FALSE, (size_t)rows * sizeof(cl_int), sizeof t->edges, t->edges, 0,
 	         NULL, &t->edges_event));
 	return SCREE_OK;

@@ -5,16 +5,16 @@
 // Hilbert curve of the broad phase's tree. In one launch per pass, a work-group loads a tile once, integrates its
 // bodies, and solves the constraints inside it color by color.
 //
-// A constraint between two tiles is a border constraint. Each of its bodies keeps the order of its colors, so
-// constraints of these bodies with later colors are border constraints too. A second launch solves the border as a
+// A constraint between two tiles is a border constraint. The constraints of a body are solved in the order of their
+// colors, so the later constraints of its two bodies are border constraints too. A second launch solves the border as a
 // relay (relay.cl). The result does not depend on the tiles.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-#define TILE_RESTS TILE_BODIES // place in local memory for all bodies that rest and cannot move
+#define TILE_RESTS TILE_BODIES // common place in local memory for all bodies that are at rest and cannot move
 #define TILE_PLAIN 0x40000000  // added to the index of a body for which tile_plain is true
 
-// Returns false if the counter `bound` is 0: then the layout of constraints has changed, and the kernels do nothing.
+// Returns false if the counter with index `bound` is 0: the layout has changed, and the kernels do nothing.
 INLINE bool tile_wanted(const Pools* p, int bound)
 {
 	return bound < 0 || ((__global const int*)p->counters)[bound] != 0;
@@ -30,9 +30,9 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 	return leaf < p->tree[0].leaves ? p->collidable_body[p->leaf[p->tree[0].leaf_begin + leaf]] : -1;
 }
 
-// Returns TILE_PLAIN if a body has no force, damping or lock, and gravity scale 1; otherwise 0. Passes do not read the
-// constants of a plain body. Until tiles are rebuilt, only fields can change these: a change by the user rebuilds
-// tiles.
+// Returns TILE_PLAIN if a body has no force, torque, damping or locked axis, and gravity scale 1; otherwise 0. Passes
+// do not read the constants of a plain body. Only fields can change these constants without a rebuild of the tiles: a
+// change by the user makes tiles stale.
 INLINE int tile_plain(const Pools* p, int body)
 {
 	Motion m = p->motion[body];
@@ -41,7 +41,8 @@ INLINE int tile_plain(const Pools* p, int body)
 	return odd == 0 && m.gravity_scale == 1.0f && m.free_x == 1.0f && m.free_y == 1.0f ? TILE_PLAIN : 0;
 }
 
-// Assigns each body the place of one of its leaves; the last write is kept. place: one int per body.
+// Assigns each body the place of one of its leaves: if it has several, the last write is kept. Sets its first border
+// color to a value above all colors. place, border: one int per body.
 __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __global int* border, int places,
                           int bound)
 {
@@ -53,7 +54,7 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	border[body] = COLORS + 1;
 }
 
-// Lists the bodies by place; resident is -1 at places without a body. pushed: 1 if fields change forces, so that no
+// Lists the bodies by place; `resident` is -1 at places without a body. pushed: 1 if fields change forces, so that no
 // body counts as plain.
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
                         int bound, int pushed)
@@ -70,7 +71,7 @@ INLINE bool tile_still(const float row[8])
 }
 
 // Returns the table row for constraints of a body with infinite mass. If the body rests, the row is -1, which stands
-// for any row. If it moves, the row is that of the border, because its position differs from pass to pass.
+// for any row. If it moves, the row is that of the border (`rows`), because its position differs from pass to pass.
 INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 {
 	float first[8], second[8];
@@ -81,7 +82,7 @@ INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 
 INLINE int tile_column(int color, int kind) { return color * CONSTRAINT_KINDS + kind; }
 
-// Returns the row of a constraint: that of its tile, or `rows` for the border. border: first border color of each body.
+// Returns the row of a constraint: its tile, or `rows` for the border. border: first border color of each body.
 INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border,
                     int rows)
 {
@@ -99,8 +100,9 @@ INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int*
 	return row == -1 ? rows : row;
 }
 
-// Counts the constraints of one color. There is a launch per color, because the border depends on earlier colors. rank:
-// number of constraints counted before each constraint, which may differ between executions.
+// Counts the constraints of one color in each row and kind. There is a launch per color, because the border depends on
+// earlier colors. rank: number of constraints with the same row, color and kind that were counted before each
+// constraint; it may differ between executions.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int bound, int begin, int end)
 {
@@ -173,7 +175,7 @@ __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_
 	}
 }
 
-// Replaces each count of the table by the first place of its constraints; the last row gets the end of the border.
+// Replaces each count of the table by the first place of its constraints. The row after the border gets its end.
 __kernel void tile_range(__global int* table, __global const int* total, int rows)
 {
 	int row = (int)get_global_id(0);

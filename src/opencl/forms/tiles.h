@@ -7,7 +7,7 @@
 scree_status tiles_open(OpenCl* d);
 void tiles_close(OpenCl* d);
 scree_status tiles_bind(OpenCl* d, Per per); // sets arguments like kernel_bind, for all kernels of the tiles
-// Returns whether to solve with tiles: they are valid, or building them again is likely to pay.
+// Returns whether to solve with tiles: they are valid, or likely to pay, or not tried for BORDER_AGE solves.
 bool tiles_pay(OpenCl* d, const Solve* solve);
 scree_status tiles_reserve(OpenCl* d, const Solve* solve);
 scree_status tiles_run(OpenCl* d, const Solve* solve);
