@@ -16,7 +16,7 @@
 #define CONTACT_DETECTED 8u    // one collidable has no body: the contact has points but no impulses
 #define CONTACT_TOUCHING 16u   // the contact has points
 #define CONTACT_JOINED   8192u // a joint or an exclusion keeps the two bodies from touching
-#define CONTACT_REPORT   14    // number of the lowest bit of CONTACT_REPORTS, the REPORT_* bits of both collidables
+#define CONTACT_REPORT   14    // position of the lowest bit of CONTACT_REPORTS: REPORT_* bits of both collidables
 #define CONTACT_REPORTS  ((REPORT_TOUCHES | REPORT_HITS) << CONTACT_REPORT)
 #define CONTACT_TOUCHED  65536u  // a touch has begun, so its end will be reported
 #define CONTACT_PASSES   131072u // one collidable is a one-way platform that lets the other one through
@@ -27,7 +27,7 @@
 #define CONTACT_REFUSED   2097152u // refused by the user, or left without a decision
 #define CONTACT_APPROVED  4194304u // approved by the user: the contact acts until its boxes part
 #define CONTACT_APPROVALS (CONTACT_PENDING | CONTACT_WAITED | CONTACT_REFUSED | CONTACT_APPROVED)
-#define CONTACT_HIGH      8388608u  // CONTACT_PASSES, but the visitor is above the platform's height and beside it
+#define CONTACT_HIGH      8388608u  // set with CONTACT_PASSES if the visitor is higher than the platform, but beside it
 #define CONTACT_STATIC    16777216u // one collidable was static when the contact was created
 #define CONTACT_KINEMATIC 33554432u // one collidable was kinematic when the contact was created
 #define CONTACT_FIXED     (CONTACT_STATIC | CONTACT_KINEMATIC)
@@ -39,17 +39,17 @@
 #define CONTACT_LOOK 2048u // narrow_phase must process the contact
 #define CONTACT_ANEW 4096u // narrow_phase must compute a new manifold
 // Bits of contact_flags that describe the manifold, and the motion of its points with the bodies.
-#define MANIFOLD_ROLLS    32   // the points follow the corners of rolling shapes; otherwise their places are fixed
-#define MANIFOLD_CORNER1  64   // point 1 is at a corner of shape a; otherwise at a corner of shape b
-#define MANIFOLD_CORNER2  128  // point 2 is at a corner of shape a; otherwise at a corner of shape b
-#define MANIFOLD_TURNS_B  256  // the normal turns with shape b; otherwise with shape a
-#define MANIFOLD_CORNERS  512  // the normal points from a corner of shape a to a corner of shape b
+#define MANIFOLD_ROLLS    32  // the points follow the corners of rolling shapes; otherwise they are fixed to the shapes
+#define MANIFOLD_CORNER1  64  // point 1 is at a corner of shape a; otherwise at a corner of shape b
+#define MANIFOLD_CORNER2  128 // point 2 is at a corner of shape a; otherwise at a corner of shape b
+#define MANIFOLD_TURNS_B  256 // the normal turns with shape b; otherwise with shape a
+#define MANIFOLD_CORNERS  512 // the normal points from a corner of shape a to a corner of shape b
 #define MANIFOLD_OVERLAPS 1024 // the shapes overlapped at some point when the manifold was computed
 
 typedef struct // 64 bytes: the manifold of a contact, at the time when it was computed
 {
-	Float4 normal;   // x, y: unit normal from shape a to b, in the frame of shape a; z, w: separations, m, or NO_POINT
-	Float4 on_a;     // m: positions of points 1 (x, y) and 2 (z, w) in the frame of shape a
+	Float4 normal; // x, y: normal to shape b, in the frame of shape a; z, w: separations of points 1, 2, m, or NO_POINT
+	Float4 on_a;   // m: positions of points 1 (x, y) and 2 (z, w) in the frame of shape a
 	Float4 relative; // pose of shape b in the frame of shape a at that time: x, y (m), cos, sin
 	// x, y: rotation of shape a (cos, sin) at that time; renewed when a sliding pair keeps the manifold. z: reach of
 	// shape a, m. w: maximum displacement of the shapes for which the manifold is kept, m; -1 if it is predicted

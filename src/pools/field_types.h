@@ -12,7 +12,7 @@
 #define FIELD_WIND     4 // acts on shapes, as does FIELD_BUOYANCY; all other fields act on bodies
 #define FIELD_BUOYANCY 5
 
-#define FIELD_FEW (ARITY * ARITY) // more fields have boxes around groups of ARITY field boxes, for faster searches
+#define FIELD_FEW (ARITY * ARITY) // with more fields, each ARITY fields get a common box, for faster searches
 
 // Falloff of a radial field and a vortex, as in scree_field_falloff.
 #define FALLOFF_CONSTANT       0
@@ -33,7 +33,7 @@ typedef struct // 288 bytes: a field as the host uploads it
 	float force_x, force_y;               // N
 	float velocity_x, velocity_y;         // m/s: velocity of the medium
 	float strength;                       // m/s^2: acceleration of a radial field or vortex where the falloff is 1
-	float radius, softening;              // m: radius of the falloff; r^2 is the squared distance plus softening^2
+	float radius, softening;              // m: radius of the falloff; length whose square is added to squared distances
 	float density;                        // kg/m^2: density of the medium
 	float drag, lift;                     // coefficients of a shape in the medium
 	float linear_drag, quadratic_drag;    // kg/s, kg/m; linear_drag of a buoyancy field: kg/s per m^2

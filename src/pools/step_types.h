@@ -39,7 +39,7 @@ typedef struct // softness of a contact: factors of the bias pass. Source: Erin 
 	float firm, depth; // bias_rate is multiplied by 1 + firm for the part of an overlap up to `depth`, m
 } Softness;
 
-typedef struct // constants of one step, passed by value to every kernel; comments with "some" give the condition for 1
+typedef struct // constants of one step, passed by value to every kernel; a comment "some ..." is the condition for 1
 {
 	float dt, h, inv_h; // s: step; s: substep; 1/s: substeps per second
 	float gravity_x, gravity_y;
@@ -79,9 +79,10 @@ typedef struct // constants of one step, passed by value to every kernel; commen
 	int collidables;        // number of collidable slots in use
 	int pair_capacity, contact_capacity;
 	int place_capacity[CONSTRAINT_KINDS];
-	int contact_limit;                    // maximum number of contacts in the world
-	int traversal_nodes, traversal_items; // visits before a traversal is split; work-items for all rests
-	int key_bits;                         // bits of a collidable's index in the key of a pair
+	int contact_limit; // maximum number of contacts in the world
+	// Number of nodes of level 1 that a traversal visits before it is split; number of work-items for split traversals.
+	int traversal_nodes, traversal_items;
+	int key_bits; // bits of a collidable's index in the key of a pair
 } Step;
 
 #define STEP_RARE(step) ((step).has_rolling | (step).details) // not 0 if the rare rows of contacts are used
