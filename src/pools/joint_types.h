@@ -15,24 +15,25 @@
 #define JOINT_NEW       128 // the slot contains a new joint
 #define JOINT_SEEKS     256 // flag of an edit: a body or a frame was placed, so the whole path must be searched
 
-// JointData.modes: a whole number with four bits for each coordinate, followed by other bits.
+// Bits of JointData.modes: four for each coordinate k, then others.
 #define JOINT_LOCKED(k)     (1 << (4 * (k)))
 #define JOINT_LIMITED(k)    (2 << (4 * (k)))
 #define JOINT_SPRING(k)     (4 << (4 * (k)))
 #define JOINT_MOTOR(k)      (8 << (4 * (k)))
 #define JOINT_HAS_DRIVES(k) (JOINT_LIMITED(k) | JOINT_SPRING(k) | JOINT_MOTOR(k))
-#define JOINT_EXTRAS        0xeee           // limits, springs and motors
+#define JOINT_EXTRAS        0xeee           // mask of all limits, springs and motors
 #define JOINT_RADIAL        0x1000          // the axis lies along the line between the two anchors
-#define JOINT_SOFT(k)       (0x2000 << (k)) // the lock is a spring
-#define JOINT_SPRINGS       0xe444          // springs and soft locks
+#define JOINT_SOFT(k)       (0x2000 << (k)) // the lock of coordinate k is soft
+#define JOINT_SPRINGS       0xe444          // mask of all springs and soft locks
 #define JOINT_TURNS         0x10000         // the axis turns with body a
-#define JOINT_COUPLED       0x20000         // a gear or a pulley: the coordinate along is that of the coupling
+#define JOINT_COUPLED       0x20000         // a gear or a pulley: JOINT_ALONG is the coordinate of the coupling
 
-// Measure of a coupling at a side (0: a, 1: b): translation (slides), distance (hoists), or without these an angle.
+// Measure of a coupling at side 0 (body a) or 1 (body b). JOINT_SLIDES: a translation; JOINT_HOISTS: a distance;
+// neither: an angle.
 #define JOINT_SLIDES(side) (0x40000 << (side))
 #define JOINT_HOISTS(side) (0x100000 << (side))
 #define JOINT_LINEAR(side) (JOINT_SLIDES(side) | JOINT_HOISTS(side))
-#define JOINT_ELLIPTIC     0x400000 // springs and motors along and across have a common bound
+#define JOINT_ELLIPTIC     0x400000 // the forces along and across have a common limit for springs, and one for motors
 #define JOINT_RAILED       0x800000 // the axis is the tangent of a path at anchor b
 
 // Coordinates of frame b in frame a.
@@ -41,7 +42,7 @@
 #define JOINT_ANGLE       2
 #define JOINT_COORDINATES 3
 
-typedef struct // 16 bytes: the lock of a coordinate, in m or rad
+typedef struct // 16 bytes: the lock of a coordinate; the target is in m or rad
 {
 	float target;       // value at which a lock holds the coordinate, or to which a spring pulls the coordinate
 	float hertz, ratio; // frequency and damping ratio of a soft lock; if 0 Hz, those of the joint are used
@@ -66,18 +67,19 @@ typedef struct // 32 bytes: limits, spring and motor of a coordinate, in m or ra
 
 typedef struct // 256 bytes; most joints need only the first half
 {
-	int body_a, body_b;            // indices of the bodies, 0 for the world
+	int body_a, body_b;            // indices of the bodies; 0 is the world
 	float modes;                   // JOINT_* bits, as a float
 	float gear_ratio;              // ratio of a coupling
 	Float4 frame[2];               // joint frames in the frames of the bodies: x, y (m), cos, sin
 	float hertz, ratio;            // frequency and damping ratio of rigid locks and of limits
-	float most_force, most_torque; // thresholds, N, N m
+	float most_force, most_torque; // N, N m: thresholds above which the joint is reported or breaks
 	JointLock lock[JOINT_COORDINATES];
-	Float4 base[2]; // poses in the world, relative to which a coupling measures its two frames
+	Float4 base[2]; // poses in the world, from which a coupling measures the motions of its two frames
 	JointDriveData drive[JOINT_COORDINATES];
-	// Start values: a coupling takes the nearest angles, rad; the search of a path starts at this arc length, m.
+	// Start values. Coupling: its angles become the nearest to near[0] and near[1], rad. Path: the search of the
+	// nearest point starts at the arc length near[0], m.
 	float near[2];
-	float path_first, path_segments; // index of the path's first sample; number of its samples minus 1
+	float path_first, path_segments; // index of the path's first sample; number of samples minus 1
 } JointData;
 
 typedef struct // 32 bytes: a sample of a path, in its frame; the last sample of a closed path equals the first one
@@ -89,7 +91,7 @@ typedef struct // 32 bytes: a sample of a path, in its frame; the last sample of
 	float unused;
 } PathSample;
 
-typedef struct // 272 bytes: a joint as the user defined it
+typedef struct // 272 bytes: a created or changed joint; `spot` as in the pool joint_spot
 {
 	int slot, flags, spot, unused;
 	JointData data;
@@ -97,17 +99,17 @@ typedef struct // 272 bytes: a joint as the user defined it
 
 typedef struct // 48 bytes: the state of a joint that the user reads
 {
-	float value[3], speed[3]; // coordinates and their speeds: m, m, rad; m/s, m/s, rad/s
+	float value[3], speed[3]; // coordinates (m, m, rad) and their speeds (m/s, m/s, rad/s)
 	float force_x, force_y;   // N: force on body b
-	float torque;             // N m
+	float torque;             // N m: torque on body b
 	int broken;
 	float unused[2];
 } JointState;
 
-typedef struct // 16 bytes
+typedef struct // 16 bytes: a joint whose force or torque exceeded a threshold
 {
 	int slot;
-	float force, torque; // N, N m: maximum in the step
+	float force, torque; // N, N m: maximum values in the step
 	int broken;
 } JointEvent;
 

@@ -14,7 +14,8 @@
 #define QUERY_ANY     1 // at most one result, not always the nearest
 #define QUERY_ALL     2
 
-// Maximum number of results in a list; far below INT_MAX, because work-items increase the counter before a check.
+// Maximum number of results in a list. It is far below INT_MAX, because work-items increase the counter of results
+// before they check it.
 #define QUERY_MOST 1000000000
 
 #define QUERY_BY_COLLIDABLE 0
@@ -25,25 +26,25 @@ typedef struct // 32 bytes: a collidable as a leaf of the trees for queries
 {
 	float x, y, c, s; // world pose
 	int attribute, body, collidable;
-	Word kinds; // bit of the kind (bit 0 for KIND_STATIC), or LEAF_SENSOR for a sensor; LEAF_LISTENS
+	Word kinds; // bit of the kind (bit 0 for KIND_STATIC) or, for a sensor, LEAF_SENSOR; also LEAF_LISTENS
 } QueryLeaf;
 // Bits of the argument of tree kernels. Bit 0 is the index of the tree.
-#define TREE_QUERIES 2 // the kernel processes the boxes for queries, not those of the step
-#define TREE_PATHS   2 // query_leaf computes boxes around the motion of the step
-#define TREE_STALE   4 // query_leaf may not use the boxes of the step, because poses have changed
+#define TREE_QUERIES 2 // the kernel processes the tree's boxes for queries, not those of the step
+#define TREE_PATHS   2 // same bit, for query_leaf: boxes enclose the motion of the step
+#define TREE_STALE   4 // for query_leaf: boxes of the step are not valid, because poses have changed
 #define LEAF_SENSOR  0x10u
-#define LEAF_LISTENS 0x100u // category and mask of the collidable are not 0
+#define LEAF_LISTENS 0x100u // neither category nor mask of the collidable is 0
 
-typedef struct // 32 bytes: a query as the user writes it, as scree_ray or scree_probe
+typedef struct // 32 bytes: a query, with the same layout as scree_ray or scree_probe of the user
 {
-	Float4 a;                        // origin x, y; then the path x, y of a ray, or the rotation cos, sin of a probe
-	Float2 b;                        // m: radius of a ray, or path x, y of a probe
-	int ignored, ignored_generation; // body that the query ignores, 0 for none
+	Float4 a;                        // x, y: origin, m; z, w: path x, y of a ray, m, or rotation cos, sin of a probe
+	Float2 b;                        // m: radius of a ray (x), or path x, y of a probe
+	int ignored, ignored_generation; // index and generation of the body that the query ignores, 0 for none
 } Query;
 
 typedef struct // 32 bytes: scree_query_result on the device
 {
-	int collidable; // 1 + index, as in handles; 0 without a result
+	int collidable; // 1 + index, as in handles; 0 if nothing was found
 	Word generation;
 	float x, y, normal_x, normal_y;
 	float fraction; // fraction of the path; for a query of the nearest collidable, its distance, m
@@ -59,8 +60,8 @@ typedef struct // settings that all queries of a call share
 	int all;         // 1 if all bits of category and mask are set
 	int room;        // capacity of the list of results
 	int found;       // number of results found, including results beyond the capacity
-	float most;      // m: greatest distance at which a nearest collidable is found
-	int skips;       // 1 to skip each collidable inside which the query begins
+	float most;      // m: maximum distance of the nearest collidable; one farther away is not found
+	int skips;       // 1 to ignore each collidable inside which the query begins
 	int rules;       // 1 to find one-way platforms from above only
 	int bodies;      // number of used slots in the pool body_generation
 	Attribute shape; // shape of the queries; a point for rays

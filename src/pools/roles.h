@@ -9,7 +9,7 @@ typedef enum // kind of the items of a pool
 	PER_COLLIDABLE,
 	PER_BODY,
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
-	PER_##KIND, PER_##KIND##_PLACE, PER_##KIND##_BLOCK, // edge of a constraint; place of its rows; MAX_LANES places
+	PER_##KIND, PER_##KIND##_PLACE, PER_##KIND##_BLOCK, // edge; place of the rows of a constraint; block of places
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	PER_EDGE,           // edge of any kind
@@ -46,11 +46,11 @@ typedef enum // kind of the items of a pool
 	PER_COUNT
 } Per;
 
-typedef enum // lifetime of an item; items of the first three roles outlive a step, and are copied to another device
+typedef enum // lifetime of an item; the first three roles outlive a step, and migration copies them to the other device
 {
-	HASHED,   // in the world hash; zero in a new item, until its writer sets it
+	HASHED,   // included in the world hash; zero in a new item, until its writer sets it
 	STATE,    // zero in a new item, until its writer sets it
-	STANDING, // not cleared: a new item starts with the old content of its slot
+	STANDING, // outlives a step; a new item is not cleared, but starts with the old content of its slot
 	DERIVED,  // outlives a step; not copied to another device, but computed there from other pools
 	SCRATCH,  // written before it is read in every step; undefined between steps
 } Role;

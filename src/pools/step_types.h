@@ -4,7 +4,7 @@
 #define STEP_TYPES_H
 #include "pools/body_types.h"
 
-// Kinds of constraints. The number of an edge has the kind of the constraint in its upper bits, and the slot below.
+// Kinds of constraints. The number of an edge has the kind of its constraint in the upper bits, the slot in the lower.
 enum
 {
 #define CONSTRAINT_KIND(kind, Kind, KIND) CONSTRAINT_##KIND,
@@ -12,7 +12,7 @@ enum
 #undef CONSTRAINT_KIND
 	CONSTRAINT_KINDS
 };
-#define EDGE_KIND 27 // number of bits of an edge that hold the slot: any slot below MAX_CONTACTS
+#define EDGE_KIND 27 // number of lower bits, enough for each slot below MAX_CONTACTS
 
 // Rows of constraints, listed in src/constraints/. A block of MAX_LANES constraints has one row per component, so a
 // wide pass reads contiguous memory, and a GPU addresses all components of a constraint from one base address.
@@ -30,67 +30,68 @@ typedef struct // one tree of the broad phase, as the host uploads it
 	int leaves;            // number of leaves in use
 	int top;               // highest level: the lowest level with at most ARITY nodes; level 0 contains the leaves
 	int begin[MAX_LEVELS]; // index of the first item of each level in the pool node_box
-	int count[MAX_LEVELS]; // nodes of each level; in the pool padded with empty boxes to a multiple of ARITY
+	int count[MAX_LEVELS]; // number of nodes of each level, without the empty boxes that pad it to a multiple of ARITY
 } Tree;
 
-typedef struct // stiffness of a contact. Source: Erin Catto, Soft Constraints, GDC 2011
+typedef struct // softness of a contact: factors of the bias pass. Source: Erin Catto, Soft Constraints, GDC 2011
 {
 	float bias_rate, mass_scale, impulse_scale;
 	float firm, depth; // bias_rate is multiplied by 1 + firm for the part of an overlap up to `depth`, m
 } Softness;
 
-typedef struct // constants of one step, passed by value to every kernel; "some", "may": 1 if true
+typedef struct // constants of one step, passed by value to every kernel; a comment "some ..." is the condition for 1
 {
 	float dt, h, inv_h; // s: step; s: substep; 1/s: substeps per second
 	float gravity_x, gravity_y;
-	float max_speed, max_spin; // m/s, rad/s
-	float push_speed;          // m/s
+	float max_speed, max_spin; // m/s, rad/s: limits for bodies
+	float push_speed;          // m/s: maximum speed at which the bias pass pushes overlaps apart
 	float restitution_threshold;
-	float fall;             // m: motion of a resting body by gravity in a step, with a margin
-	Softness pair, fixed;   // softness of contacts between two bodies that can move; softness of other contacts
-	float h_ratio;          // h divided by the h of the last step with dt above 0
-	int has_rolling;        // some attribute has restitution, rolling resistance or tangent speed
-	int belts;              // some attribute or some pair of materials has a tangent speed
-	int segments;           // some attribute is a segment
-	int details;            // 1 if contacts store details of the step for the user
-	int reports;            // some collidable reports touches or hits
-	int rules;              // some pair may be subject to a rule
-	int material_pairs;     // number of used rows of the pool material_pair
-	int excluded;           // number of used rows of the pool excluded
-	int asks;               // some collidable requires contact approval
-	int request_again;      // 1 if contacts listed by the last step are undecided, and are listed again
-	int allowed;            // number of used rows of the pool allowed
-	float hit_speed;        // m/s: contacts with a lower approach speed are not hits
-	float hit_impulse;      // N s: contacts with a smaller impulse are not hits
-	int bounces;            // some attribute has restitution
-	int joints;             // 1 if there may be joints among the constraints
-	int calm;               // 1 if bodies without contacts and forces stay within 5 mm of the motion by their velocity
-	int chain_places;       // number of spots of chains
-	int has_drives;         // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
-	int springs;            // some joint has a spring or a soft lock
-	int couplings;          // some joint is a gear or a pulley
-	int paths;              // some joint follows a path
-	int kinematic;          // number of kinematic bodies
-	int presses;            // 1 if a kinematic body or a joint may press bodies against static bodies
-	int round;              // some attribute has a radius
-	int small;              // some dynamic collidable may be thinner than GRAIN_SIZE
-	float continuous_way;   // m: lower bound of all ContinuousBody.way of the world
-	float continuous_reach; // m: upper bound of all ContinuousBody.reach
+	float fall;           // m: motion of a resting body by gravity in a step, at most SPECULATIVE_DISTANCE
+	Softness pair, fixed; // softness of contacts between two bodies that can move; softness of other contacts
+	float h_ratio;        // h divided by h of the last step with dt above 0; 1 if dt is 0 or there was no such step
+	int has_rolling;      // some attribute or pair of materials has restitution, rolling resistance or tangent speed
+	int belts;            // some attribute or pair of materials has a tangent speed
+	int segments;         // some attribute is a segment
+	int details;          // 1 if contacts store total impulses and approach speeds for reports
+	int reports;          // some collidable reports touches or hits
+	int rules;            // some contact may be subject to a rule
+	int material_pairs;   // number of used rows of the pool material_pair
+	int excluded;         // number of used rows of the pool excluded
+	int asks;             // some collidable requires contact approval
+	int request_again;    // 1 to list the contacts of the last step for approval again, because the user did not decide
+	int allowed;          // number of used rows of the pool allowed
+	float hit_speed;      // m/s: contacts with a lower approach speed are not hits
+	float hit_impulse;    // N s: contacts with a smaller impulse are not hits
+	int bounces;          // some attribute or pair of materials has restitution
+	int joints;           // 1 if some constraint may be a joint
+	int calm;             // 1 without joints and fields, if gravity moves a body by less than 5 mm in the step
+	int chain_places;     // number of spots of chains
+	int has_drives;       // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	int springs;          // some joint has a spring or a soft lock
+	int couplings;        // some joint is a gear or a pulley
+	int paths;            // some joint follows a path
+	int kinematic;        // number of kinematic bodies
+	int presses;          // 1 if a kinematic body or a joint may press bodies against static ones, or recently did
+	int round;            // some attribute has a radius
+	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE
+	float continuous_way; // m: lower bound of ContinuousBody.way of all bodies
+	float continuous_reach; // m: upper bound of ContinuousBody.reach of all bodies
 	int collidables;        // number of collidable slots in use
 	int pair_capacity, contact_capacity;
 	int place_capacity[CONSTRAINT_KINDS];
-	int contact_limit;                    // maximum number of contacts in the world
-	int traversal_nodes, traversal_items; // node visits before a traversal is split; work-items for the rest
-	int key_bits;                         // bits of a collidable's index in the key of a pair
+	int contact_limit; // maximum number of contacts in the world
+	// Number of nodes of level 1 that a traversal visits before it is split; number of work-items for split traversals.
+	int traversal_nodes, traversal_items;
+	int key_bits; // bits of a collidable's index in the key of a pair
 } Step;
 
-#define STEP_RARE(step) ((step).has_rolling | (step).details) // true if the rare rows of contacts are used
+#define STEP_RARE(step) ((step).has_rolling | (step).details) // not 0 if the rare rows of contacts are used
 
-typedef struct // one entry of the list that a backend executes in order
+typedef struct // one entry of a run list, which a backend executes in order
 {
 	int kernel_id;  // KERNEL_* or PRIMITIVE_*
 	int begin, end; // range of items: first, and one past the last
-	int count;      // position in Counters of a counter that is an upper bound of end, or -1
+	int count;      // position in Counters of a counter that may lower `end`, or -1
 	int argument;   // argument of the kernel
 } Run;
 

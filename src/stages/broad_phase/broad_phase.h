@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// broad_phase.h -- finds the new pairs: tests the boxes that moved against the trees.
+// broad_phase.h -- finds the new pairs by traversals of the trees with the boxes that changed.
 //
 // A contact exists as long as the enlarged boxes of its collidables overlap. So a pair is new if its boxes overlap now
-// and did not before this step's transform. If both collidables moved, the traversal of the one with the lower index
-// finds the pair. Leaves are visited in rising order, so another work-item can continue a traversal at any leaf.
+// and did not before this step's transform. If both boxes changed, the traversal of the collidable with the lower index
+// finds the pair. A traversal visits leaves in rising order, so another work-item can continue it at any leaf.
 #ifndef BROAD_PHASE_H
 #define BROAD_PHASE_H
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 #include "stages/tree/tree_packet.h"
 
-// Removes the known pairs from a mask of eight leaves: pairs whose old boxes overlap. Bit 0 is the leaf at place
-// `first`. A GPU loads the eight boxes together, to hide the latency of memory. A CPU returns the mask unchanged, and
-// broad_phase_leaf tests the old boxes.
+// Returns a mask of eight leaves without those whose old box overlaps that of collidable i, because such pairs are
+// known. Bit 0 is the leaf at place `first`. A GPU loads the eight boxes together, to hide the latency of memory. On a
+// CPU the mask stays unchanged, because broad_phase_leaf tests the old boxes.
 INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 {
 	int leaf[ARITY];
@@ -29,11 +29,11 @@ INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 	return leaves;
 }
 
-// Adds the pair of collidables i and j if it is new. Returns 0 if the traversal must stop, because the contact limit is
-// reached.
+// Adds the pair of collidables i and j to the new pairs, unless it is known or may never touch. Returns 0 if the
+// traversal must stop, because the contact limit is reached.
 INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 {
-	// early exit: most neighbors are known pairs
+	// early exit: most leaves form known pairs
 	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || ((p->collidable_flags[j] & COLLIDABLE_NEW_BOX) && j < i))
 		return 1;
 	if (apart_by(p, i, j, APART_PAIR))
@@ -50,7 +50,7 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
-	// the step will be refused, because the contact limit is exceeded; other pairs are not needed
+	// if the contact limit is exceeded, the step will be refused, so no other pairs are needed
 	if (tree->leaves == 0 || read_shared(&p->counters->pairs) > p->step.contact_limit)
 		return 0;
 	Float4 box = p->box[i];
@@ -69,7 +69,7 @@ INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end,
 	}
 }
 
-// Clears the counters before each search for pairs; the search is repeated after a buffer has grown.
+// Clears the counters of the search for pairs before each search. A search is repeated after a pool has grown.
 KERNEL(broad_phase_begin)
 {
 	p->counters->pairs = 0;
@@ -87,7 +87,7 @@ INLINE int broad_phase_trees(int kind)
 	return kind & KIND_SENSOR ? 0 : kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
 }
 
-// Traverses tree t for collidable k, up to traversal_nodes nodes; lists the rest, if any, for broad_phase_rest.
+// Traverses tree t for collidable k, up to traversal_nodes nodes. If nodes remain, lists them for broad_phase_rest.
 INLINE void broad_phase_alone(const Pools* p, int k, int t)
 {
 	int next = broad_phase_traverse(p, k, t, 0, 0, p->step.traversal_nodes);
@@ -98,7 +98,7 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 }
 
 // Processes the leaves that overlap the boxes of a packet. kinematic: mask of the traversals of kinematic collidables;
-// alone: mask of the traversals that this function skips. Returns 0 if the contact limit is reached.
+// alone: mask of the traversals outside the packet, which are skipped. Returns 0 if the contact limit is reached.
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* collidables, const Float4* boxes,
                               Word kinematic, Word alone, const PacketFront* front)
 {
@@ -165,7 +165,7 @@ INLINE void broad_phase_packet(const Pools* p, int i, int t)
 }
 
 // Item: an updated collidable. On a CPU the first of every PACKET_TRAVERSALS items traverses the trees for all of them,
-// as a packet. A worker's chunk is a multiple of PACKET_TRAVERSALS items.
+// as a packet. The chunk of a worker has a multiple of PACKET_TRAVERSALS items, so packets do not cross chunks.
 KERNEL(broad_phase)
 {
 	if (FETCHES)
@@ -179,8 +179,8 @@ KERNEL(broad_phase)
 		broad_phase_alone(p, k, t);
 }
 
-// Item: a work-item that helps to complete long traversals. The remaining leaves of a traversal are split into equal
-// parts, one for each of its work-items. If there are more traversals than work-items, each work-item takes several.
+// Item: a work-item that helps to complete long traversals. Each traversal gets the same number of work-items, which
+// take equal parts of its remaining leaves. If there are more traversals than work-items, a work-item takes several.
 KERNEL(broad_phase_rest)
 {
 	int traversals = p->counters->traversals,

@@ -10,7 +10,7 @@
 #include "stages/edit/pool_item.h"
 #include "stages/rules/apart.h"
 
-// Checks the contact limit, which is equal on all devices, and the capacity for new pairs, which may differ.
+// Checks the contact limit, which is equal on all devices, and the capacity for new pairs, which depends on the device.
 KERNEL(contact_admit)
 {
 	GLOBAL Counters* c = p->counters;
@@ -33,14 +33,14 @@ KERNEL(contact_list_free)
 		p->free_slot[p->scan[i]] = i;
 }
 
-// Checks the capacity for contacts; updates the number of slots in use and the number of contacts.
+// Checks the capacity for contacts; adds the new contacts to the numbers of slots in use and of contacts.
 KERNEL(contact_reserve)
 {
 	GLOBAL Counters* c = p->counters;
 	c->dead = c->search > 0 ? p->scan[c->search - 1] : 0;
 	int beyond = c->sort_pairs > c->dead ? c->sort_pairs - c->dead : 0;
 	c->needed = c->contacts + beyond;
-	// one more slot than needed, for the end of the scan
+	// one slot more than the contacts need, for the end of the scan
 	if (c->needed + 1 > p->step.contact_capacity)
 	{
 		c->stalled = 1;
@@ -54,8 +54,8 @@ KERNEL(contact_reserve)
 	(void)i;
 }
 
-// Moves contacts so that they fill the first slots. Each contact beyond these slots moves to a free one among them, the
-// first contact to the lowest slot. No slot is both a source and a destination.
+// Moves contacts so that n contacts fill the first n slots. Contacts in later slots move to the free ones of these n
+// slots, both in ascending order. No slot is both a source and a destination.
 KERNEL(contact_pack)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -77,8 +77,8 @@ KERNEL(contact_pack_end)
 
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
-// Returns friction, restitution, rolling lever (m) and tangent speed (m/s) of a pair; the order of the attributes does
-// not matter. Friction is the geometric mean, so ice stays slippery on anything.
+// Returns friction, restitution, rolling lever (m) and tangent speed (m/s) of two attributes in any order. The
+// friction is the geometric mean of both frictions, so ice stays slippery on anything.
 INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attribute* sb)
 {
 	float lever =
@@ -88,8 +88,8 @@ INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attrib
 	                   surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
 }
 
-// Returns CONTACT_DETECTED or CONTACT_JOINED if the bodies of a pair do not respond to each other, otherwise 0. This
-// holds until the user changes a joint or an excluded pair.
+// Returns CONTACT_DETECTED or CONTACT_JOINED if the bodies of a pair do not respond to each other, otherwise 0. The
+// result stays the same until the user changes a joint or an excluded pair, or a joint breaks.
 INLINE Word contact_parts(const Pools* p, Int2 pair)
 {
 	int apart = apart_by(p, pair.x, pair.y, APART_DETECTED | APART_JOINED);
@@ -100,7 +100,7 @@ KERNEL(contact_create)
 {
 	Word64 key = p->key[i];
 	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
-	// new contacts without a free slot take the slots at the end
+	// when no free slot is left, contacts take the slots after the last one in use
 	int slot = i < p->counters->dead ? p->free_slot[i] : p->counters->contacts - p->counters->created + i;
 	Int2 pair = apart_pair(p, a, b);
 	a = pair.x;
@@ -115,7 +115,7 @@ KERNEL(contact_create)
 	p->contact_bodies[slot] = bodies;
 	p->contact_flags[slot] = flags;
 	contact_count(p, bodies, flags, 1);
-	if (flags & CONTACT_STATIC) // if the body has several static contacts, this value is not read
+	if (flags & CONTACT_STATIC) // only read for bodies with one static contact
 		write_shared_word((GLOBAL Word*)p->static_contact + bodies.x, (Word)slot);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
@@ -124,7 +124,7 @@ KERNEL(contact_create)
 	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);
 }
 
-// Restarts contact i if joints or excluded pairs have changed so that its bodies now may, or now may not, touch.
+// Restarts contact i if a changed joint or exclusion now keeps its bodies from touching, or no longer does.
 KERNEL(contact_join)
 {
 	Word flags = p->contact_flags[i];
@@ -133,13 +133,13 @@ KERNEL(contact_join)
 	if (flags & CONTACT_DETECTED)
 		return;
 	Word joined = contact_parts(p, p->pair[i]);
-	// the narrow phase releases a contact whose boxes parted, unless it is fresh
+	// a contact whose boxes parted is not restarted, because the narrow phase does not release fresh contacts
 	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
 		return;
 	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));
 }
 
-// Updates surface, report bits and constraint rows of contact i after a change of attributes or reports.
+// Updates surface (in slot and rows) and report bits of contact i after a change of attributes or reports.
 KERNEL(contact_mix)
 {
 	Int2 pair = p->pair[i];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// transform.h -- computes world poses and boxes of collidables; replaces an enlarged box that the tight box exceeds.
+// transform.h -- computes world poses and tight boxes of collidables; replaces enlarged boxes that tight boxes exceed.
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "dialect/vec.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
-#define REACH_SHARE 0.125f // fraction of the reach that is compared with the same sizes as the thickness
+#define REACH_SHARE 0.125f // factor of the reach before it is compared with the same sizes as the thickness
 
 KERNEL(step_begin)
 {
@@ -130,7 +130,7 @@ INLINE int transform_grains(float thickness, float reach)
 	return transform_bits(thickness, COLLIDABLE_GRAIN) | transform_bits(REACH_SHARE * reach, COLLIDABLE_REACH);
 }
 
-// Updates world poses and boxes. Lists the collidables that left their enlarged box or were placed.
+// Updates world poses and boxes. Lists the collidables that left their enlarged boxes; new ones had an empty box.
 LIST_KERNEL(transform, updated_list, updated_boxes)
 {
 	Float4 box = p->box[i];
@@ -143,14 +143,14 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 		return 0;
 	}
 
-	// treats a collidable without a body as one of body 0, the motionless ground
+	// treats a collidable without a body as part of body 0, the motionless ground
 	WorldShape world_shape = collidable_place(p, i);
 	int moves = world_shape.body >= 0;
 	world_shape.body = moves ? world_shape.body : 0;
 	p->world_shape[i] = world_shape;
 	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
 
-	// each of the two boxes of a pair is enlarged by half of the speculative distance, at which contacts begin
+	// each box of a pair is enlarged by half of the speculative distance, because contacts begin at this distance
 	Float4 tight = world_box(world_shape, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
 	int how = p->step.small && p->collidable_kind[i] == KIND_DYNAMIC
@@ -167,7 +167,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 			how |= COLLIDABLE_MOVING;
 		if (travel > 0.5f * within)
 		{
-			// box at the end of the step; a collidable that leaves its box in every step needs no margin
+			// box at the end of the step; no margin for a collidable so fast that it leaves its box in every step
 			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
 			tight = box_grow(box_union(tight, then), swing);
 			margin = travel < margin ? margin : 0.0f;
@@ -187,8 +187,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	p->box[i] = grown;
 	p->collidable_flags[i] = COLLIDABLE_NEW_BOX | how;
 	raise_int(&p->counters->refit, 0x7fffffff);
-	// the old box covers the last motion, so a new box that does not overlap it means that the user moved the
-	// collidable
+	// the old box covers the motion of the last step; if the new box does not overlap it, the user moved the collidable
 	if (!box_overlap(box, grown))
 		raise_int(&p->counters->jumped, 0x7fffffff);
 	return 1;
@@ -203,7 +202,8 @@ KERNEL(transform_undo)
 	p->collidable_flags[i] = 0;
 }
 
-// Writes the current pose of a collidable; the pool world_shape has the pose at which the last step found contacts.
+// Writes the current pose of a collidable to its render row. The pool world_shape has older poses: those at which the
+// last step computed contacts.
 KERNEL(render_row)
 {
 	WorldShape world_shape = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};

@@ -8,9 +8,9 @@
 // lowest color that is free on both. The result is that of a sequential greedy coloring by falling priority, for any
 // number of threads. Colors are kept while contacts touch, so usually few edges are colored in a step.
 //
-// Contacts with bodies that cannot move take the highest free color. They are solved last, so that no other contact
-// undoes their result. The contacts of hubs (spoke.h) take no color and no part in the rounds, so thousands of new
-// contacts of one body cost no rounds. Every other contact finds a free color.
+// Constraints with a body that cannot move take the highest free color. Contacts with static bodies are solved last, so
+// that no other contact undoes their result. The contacts of hubs (spoke.h) take no color and no part in the rounds, so
+// thousands of new contacts of one body cost no rounds. Every other contact finds a free color.
 #ifndef COLOR_H
 #define COLOR_H
 #include "constraints/contact_one.h"
@@ -19,7 +19,7 @@
 #include "stages/color/spoke.h"
 
 // Returns the priority of an edge. Odd multipliers and xor-shifts are invertible, so no two edges have the same
-// priority. The order looks random: with slots as priorities, each round would color one contact of a row.
+// priority. The order looks random. With slots as priorities, each round would color one contact of a row of bodies.
 INLINE Word color_priority(int edge)
 {
 	Word x = (Word)edge + 0x9e3779b9u;
@@ -31,8 +31,8 @@ INLINE Word color_priority(int edge)
 	return x;
 }
 
-// Returns the address of entry i in the list of edges that have no color after a round. The address is that of a
-// scalar, because another work-item may write the other component of the vector.
+// Returns the address of entry i in the list of edges that have no color after a round. It is the address of an int,
+// not of an Int2, because another work-item may use the other int of the Int2 at the same time.
 INLINE GLOBAL int* color_left(const Pools* p, int round, int i)
 {
 	return (GLOBAL int*)p->uncolored + 2 * i + (round & 1);
@@ -50,8 +50,8 @@ INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
 }
 
-// Returns whether a joint gets no color: it is in a chain, or its bodies have no free color in common. A contact always
-// finds a color, because the contacts of a body with too many constraints become spokes first.
+// Returns whether an edge is a joint that gets no color, because it is in a chain or no color is free on both bodies. A
+// contact always finds a color, because the contacts of a body with too many constraints become spokes first.
 INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 {
 	if (edge_kind(edge) == CONSTRAINT_CONTACT)
@@ -64,8 +64,8 @@ INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 }
 
 // Number of colors, the last ones, for contacts with static bodies; other constraints take them only if no other color
-// is free. A body between a kinematic and a static body cannot obey both; the contact that is solved last prevails.
-// Eight colors are enough for a body in a corner where four collidables of a level meet.
+// is free. Of the contacts of a body between a kinematic and a static body, the one that is solved last prevails; it
+// must be the static one. Eight colors are enough for a body in a corner where four static collidables meet.
 #define STATIC_COLORS 8
 
 // Returns whether an edge is a contact with something static, which is always the second collidable of a pair.
@@ -78,7 +78,7 @@ KERNEL(color_claim)
 {
 	int edge = color_source(p, i);
 	Int2 bodies = edge_bodies(p, edge);
-	// this kernel changes no mask, so all of its items find the same free colors
+	// color_mask stays unchanged in this kernel, so the result does not depend on the order of the items
 	if (color_overflows(p, edge, bodies))
 	{
 		edge_set_color(p, edge, COLORS);
@@ -115,7 +115,7 @@ KERNEL(color_assign)
 	Word64 free = ~(mask_a | mask_b) & (Word64)COLOR_MASK;
 	if ((moves_a && claim[bodies.x] != priority) || (moves_b && claim[bodies.y] != priority))
 	{
-		// the next round uses the claims of the previous round again, which could otherwise win
+		// clears the claims of the previous round, because the next round uses the same pool
 		if (moves_a)
 			write_shared_word(&next_claim[bodies.x], 0);
 		if (moves_b)
@@ -155,8 +155,8 @@ KERNEL(color_reset)
 	write_shared_word(&p->claim1[bodies.y], 0);
 }
 
-// The upper half of a sort key is the color; for a spoke, COLORS plus the body of the hub. Returns the upper half for a
-// constraint that has not begun: all bits set. bits: their number, which is the argument of the kernels below.
+// Returns the upper half of the sort key of a constraint that has not begun: all of its `bits` bits are set. Other keys
+// have the color there, or COLORS plus a number (contact_group, joint_group). bits: argument of the kernels below.
 INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
 
 INLINE int color_of_key(Word64 key, int bits)
@@ -165,8 +165,8 @@ INLINE int color_of_key(Word64 key, int bits)
 	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
 }
 
-// Selects the kinds to lay out, if all constraints have a color and, with hubs, the keys have bits for hubs. argument:
-// index in `uncolored` of the count after the last round; number of bits of color and hub in keys of contacts.
+// Selects the changed kinds for a new layout; none if an edge has no color, or if keys lack bits for the existing hubs.
+// argument: index in `uncolored` of the count after the last round; number of bits of color and hub in their keys.
 KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
@@ -188,7 +188,7 @@ KERNEL(color_arrange)
 	(void)i;
 }
 
-// number by which constraints of color COLORS are sorted: contacts by hub, joints of chains before other joints
+// Return the number by which constraints of color COLORS are sorted: contacts by hub, joints of chains before others.
 INLINE int contact_group(const Pools* p, int i) { return hub_owner(p, p->contact_bodies[i]); }
 INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 
@@ -210,8 +210,8 @@ INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 	if (place >= 0)                                                              \
 		kind##_keep(p, i, place);
 
-// Writes the range of sorted keys of each color and hub: first, and one past the last. Sets scan to 1 at the first
-// spoke of each hub, so that the scan computes numbers of hubs.
+// Item: a sorted key. Writes the range of keys of each color and hub: first, and one past the last. Sets `scan` to 1 at
+// the first spoke of each hub, so that the sums of SCAN are the numbers of hubs. Sets overflow_first for joints.
 INLINE void color_edge(const Pools* p, int kind, int i)
 {
 	GLOBAL KindLayout* layout = &p->counters->layout[kind];
@@ -236,7 +236,7 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 		return;
 	}
 	p->scan[i] = begins;
-	// two scalars: two work-items write the halves, and an OpenCL compiler may write a whole vector for one component
+	// two ints, not an Int2: two work-items write them, and OpenCL may write a whole vector to change one component
 	GLOBAL int* keys = (GLOBAL int*)&p->hub_keys[(int)name - COLORS];
 	if (begins)
 		keys[0] = i;
@@ -244,15 +244,15 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 		keys[1] = i + 1;
 }
 
-// Returns the number of the hub of a spoke; i: index of the sorted key of the spoke.
+// Returns the number of the hub of a spoke. i: index of the spoke's key among the sorted keys.
 INLINE int color_hub(const Pools* p, int i)
 {
 	int begins = i == 0 || p->key[i - 1] >> 32 != p->key[i] >> 32;
 	return p->scan[i] - !begins;
 }
 
-// Computes the first place of each color of a kind. If there are too few places, the host grows the pools and repeats
-// this.
+// Computes the first place of each color of a kind. If there are too few places, cancels the layout; the host then
+// grows the pools and repeats it.
 INLINE void color_range(const Pools* p, int kind)
 {
 	GLOBAL Counters* c = p->counters;
@@ -273,7 +273,7 @@ INLINE void color_range(const Pools* p, int kind)
 		touching += count;
 		if (spokes && k == COLORS && count > 0)
 		{
-			// reserves the places that hub_first uses in addition
+			// reserves the spare block of each hub (hub_first)
 			c->hubs = color_hub(p, layout->last[k] - 1) + 1;
 			count += MAX_LANES * (c->hubs + 1);
 		}
@@ -291,7 +291,7 @@ INLINE void color_range(const Pools* p, int kind)
 	}
 }
 
-// Returns the place of a spoke. For the last spoke of a hub, fills the rest of the hub's places with padding.
+// Returns the place of a spoke. For the first spoke of a hub, lists the hub; for the last one, pads its last places.
 INLINE int contact_place_rest(const Pools* p, int i)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_CONTACT];
@@ -303,14 +303,14 @@ INLINE int contact_place_rest(const Pools* p, int i)
 	int end = i + 1 == layout->last[COLORS] ? layout->begin[COLORS + 1] : hub_first(p, n + 1, i + 1);
 	for (int k = place + 1; i + 1 == keys.y && k < end; ++k)
 	{
-		// padding: an inert contact between the ground and the hub, which adds nothing to sums
+		// padding is an inert contact between the ground and the hub, and adds nothing to sums over spokes
 		contact_pad(p, k);
 		contact_row(p, body_b, k) = hub;
 	}
 	return place;
 }
 
-// Returns the place of a joint without a color. Joints of chains come first, then the others.
+// Returns the place of a joint of color COLORS. Joints of chains come first, in the order of their spots.
 INLINE int joint_place_rest(const Pools* p, int i)
 {
 	int slot = (int)(p->key[i] & (Word64)0xffffffffu), spot = p->joint_spot[slot];
@@ -318,8 +318,8 @@ INLINE int joint_place_rest(const Pools* p, int i)
 	return begin + (spot >= 0 ? spot : p->step.chain_places + (i - p->counters->overflow_first));
 }
 
-// Makes the places of joints without a color inert, before these joints are laid out. An item may process several
-// places, because there may be more places than items.
+// Makes the places of color COLORS inert, before its joints are laid out. Item: a joint; it may process several places,
+// because there may be more places than joints.
 KERNEL(chain_pad)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];

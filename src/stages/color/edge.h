@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edge.h -- begins, ends, counts and reads edges: constraints of any kind, for coloring and the forms relay and tiles.
+// edge.h -- begins, ends, counts and reads edges, which are constraints of any kind, for coloring, relay and tiles.
 #ifndef EDGE_H
 #define EDGE_H
 #include "constraints/constraint_kinds.h"
@@ -26,8 +26,8 @@ INLINE void edge_mark_dirty(const Pools* p, int kind)
 	raise_int(&p->counters->dirty[kind], 1);
 }
 
-// Returns the value that the tangent speed of a contact adds to the pool belts. Both bodies get the same value, because
-// the belt runs in the same direction relative to each of them.
+// Returns the value that a contact with a tangent speed adds to the pool belts. Both bodies get the same value, because
+// the belt runs in the same direction (forward or backward) for both.
 INLINE int edge_belt(float speed) { return speed > 0.0f ? 1 : speed < 0.0f ? BELT_BACK : 0; }
 
 INLINE int edge_belt_of(const Pools* p, int kind, int slot)
@@ -44,7 +44,7 @@ INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
 }
 
 // Counts a constraint that begins, for one of its bodies. If the body may now be a hub and has constraints with colors,
-// requests the search for hubs (spoke.h), which may find none, because other constraints end meanwhile.
+// requests the search for contacts of new hubs. It may find none, because other constraints end in the same step.
 INLINE void edge_count(const Pools* p, int body, int belt)
 {
 	int over_limit = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
@@ -72,7 +72,7 @@ INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 	atomic_and_word64(&p->color_mask[bodies.y], others);
 }
 
-// Ends constraint i of a kind, if it has begun.
+// Ends the constraint of slot i of a kind, if it has begun.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                 \
 	INLINE void kind##_end(const Pools* p, int i)                         \
 	{                                                                     \
@@ -135,7 +135,7 @@ INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
 	return make_int2(0, 0);
 }
 
-// Task of a pass: a constraint or padding, given by its kind and place. Tasks are numbered by color, then by kind.
+// Task of a pass: a constraint or padding, given by kind and place. Tasks are numbered by color, then kind, then place.
 typedef struct
 {
 	int kind, place;

@@ -8,7 +8,8 @@
 #include "stages/color/touch.h"
 #include "stages/geometry/box.h"
 
-// Changes a joint's angle by whole turns, to be nearest to limits or target, if its first limit, spring or lock is set.
+// Changes the angle of a joint that gets its first limit, spring or lock of the angle: adds whole turns, so that it is
+// as near as possible to the limits or the target.
 INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed)
 {
 	int k = JOINT_ANGLE, users = JOINT_LOCKED(k) | JOINT_LIMITED(k) | JOINT_SPRING(k), place = p->joint_place[slot];
@@ -33,8 +34,8 @@ INLINE void joint_seek(const Pools* p, int slot)
 	path_count_store(p, slot, p->joint_place[slot], &count);
 }
 
-// Item: a joint that the user created or changed. argument: number of joint slots in use before these edits. A broken
-// joint stays broken.
+// Item: a joint that the user created or changed. argument: number of joint slots in use before these edits. A joint
+// that broke stays broken, unless it was replaced by a new one.
 KERNEL(joint_apply)
 {
 	JointEdit edit = p->joint_edit[i];
@@ -62,7 +63,7 @@ KERNEL(joint_apply)
 	raise_int(&p->counters->joints_dirty, 0x7fffffff);
 }
 
-// Ends the constraint of joint i. Stores its count of turns, with which the joint continues if it begins again.
+// Ends the constraint of joint i. Stores its counts of turns and laps, which apply if it begins again.
 INLINE void joint_rest(const Pools* p, int i)
 {
 	float turned = joint_turned_last(p, i);
@@ -71,7 +72,7 @@ INLINE void joint_rest(const Pools* p, int i)
 	joint_end(p, i);
 	p->joint_kept[i].turned = turned;
 	coupling_count_store(p, i, -1, &count);
-	// the bodies may be anywhere when the joint begins again
+	// requests a search of the whole path, because the bodies may be anywhere when the joint begins again
 	path.seeks = maximum(path.seeks, PATH_SEEKS);
 	path_count_store(p, i, -1, &path);
 }
@@ -95,7 +96,7 @@ KERNEL(joint_update)
 }
 
 // Item: a joint. For a joint on a path, finds the point of the path that is nearest to anchor b. For a coupling,
-// measures its bodies. Runs after the layout; a second run gives the same result.
+// measures its bodies. Runs after the layout. Repeated runs give the same result.
 KERNEL(joint_follow)
 {
 	int place = p->joint_place[i], modes = (int)p->joint_data[i].modes;
@@ -130,7 +131,7 @@ KERNEL(joint_pair_key)
 	    (flags & apart) == JOINT_THERE ? joint_pair_of(p->joint_data[i].body_a, p->joint_data[i].body_b) : NO_PAIR;
 }
 
-// Writes the key of pair i that the user excluded, behind the keys of the joints. argument: number of joints.
+// Writes the key of excluded pair i, behind the keys of the joints. argument: number of joints.
 KERNEL(excluded_key) { p->key[p->argument + i] = p->excluded[i]; }
 
 KERNEL(excluded_changed)
@@ -174,8 +175,8 @@ KERNEL(joint_finalize)
 	}
 	JointEvent event;
 	event.slot = slot;
-	// a joint without a threshold has the largest float, which no value may exceed: forces are computed only in worlds
-	// with thresholds, and a step must not depend on the thresholds of other joints
+	// a joint without a threshold has the largest float as its threshold. No value may exceed it: forces are computed
+	// only in worlds with thresholds, and a step must not depend on the thresholds of other joints
 	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
 	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
 	event.broken = (p->joint_flags[slot] & JOINT_CAN_BREAK) != 0;

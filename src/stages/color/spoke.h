@@ -3,8 +3,8 @@
 //
 // A body with more than HUB_CONTACTS constraints, including joints, becomes a hub. All of its contacts become spokes
 // and remain spokes as long as they touch, so that a varying number of contacts does not switch the layout back and
-// forth. A body on belts that run against each other becomes a hub too: one contact after the other would share a
-// change of the load too slowly, and the body would swing more and more (docs/hubs.md, Belts).
+// forth. A body on belts that run against each other becomes a hub too. Contacts that are solved one after the
+// other share a change of the load too slowly, and the body would swing more and more (docs/hubs.md, Belts).
 #ifndef SPOKE_H
 #define SPOKE_H
 #include "pools/pools.h"
@@ -27,8 +27,8 @@ INLINE int hub_crowded(const Pools* p, int body)
 // Returns whether a contact without a color becomes a spoke, because one of its bodies is a hub.
 INLINE int hub_wants(const Pools* p, Int2 bodies) { return hub_crowded(p, bodies.x) || hub_crowded(p, bodies.y); }
 
-// Returns the hub of a spoke: the body that can move. If both are hubs, returns the lighter one: heavy bodies may crush
-// it, and a hub is solved exactly. Otherwise, or if their masses are equal, returns the body with more constraints.
+// Returns the hub of a spoke: the only body that can move; of two hubs with different masses, the lighter one, because
+// heavy bodies may crush it and a hub is solved exactly; otherwise the body with more constraints.
 INLINE int hub_owner(const Pools* p, Int2 bodies)
 {
 	int a = bodies.x, b = bodies.y, touching_a = hub_load(p, a), touching_b = hub_load(p, b);
@@ -44,11 +44,11 @@ INLINE int hub_owner(const Pools* p, Int2 bodies)
 
 typedef struct
 {
-	int body, first, count; // first place and number of the hub's spokes among the constraints, padding included
+	int body, first, count; // the hub; place of its first spoke; number of its places, with padding to whole blocks
 } HubSpan;
 
-// Returns the first place of the spokes of hub n, at the start of a block. Each hub before n reserves one spare block,
-// so the place does not depend on their padding. key: index of the sorted key of the first spoke.
+// Returns the first place of the spokes of hub n, at the start of a block. Each hub has a spare block, so the place
+// depends only on n and on `key`, the index of its first spoke among the sorted keys.
 INLINE int hub_first(const Pools* p, int n, int key)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -75,7 +75,7 @@ INLINE int spoke_places(const Pools* p)
 	       p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS];
 }
 
-// Returns the index of constraint i, a contact, among the spokes.
+// Returns the index, among the spokes, of the contact at place i.
 INLINE int spoke_of(const Pools* p, int i) { return i - p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS]; }
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// touch.h -- lists touches, from the meeting of two surfaces until they part, and hits, as events for the user.
+// touch.h -- lists begins and ends of touches, and hits, as events for the user.
 //
 // A touch begins in the first step in which the surfaces push each other or overlap, and ends when the contact loses
 // its points or is destroyed. So a body that rests or rolls begins no second touch, even if its impulses vary.
@@ -17,16 +17,16 @@ INLINE Word touch_reports(const Pools* p, Int2 pair)
 	return ((p->filter[pair.x].reports | p->filter[pair.y].reports) << CONTACT_REPORT) & CONTACT_REPORTS;
 }
 
-// Lists the end of a touch, if one has begun, for a contact that lost its points or is being destroyed. flags: contact
-// flags.
+// Lists the end of the touch of a contact, if one has begun. The contact has lost its points, or is being destroyed.
+// flags: flags of the contact.
 INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
 {
 	if (flags & CONTACT_TOUCHED)
 		p->touch_ended[atomic_add_int(&p->counters->touches_ended, 1)] = (Word64)pair.x << 32 | (Word64)pair.y;
 }
 
-// Ends contact i and restarts it as if its boxes met for the first time. flags: old flags of the contact; kept: new
-// flags in addition to CONTACT_FRESH.
+// Ends contact i and restarts it as if its boxes met for the first time. flags: old flags of the contact; kept: flags
+// to set in addition to CONTACT_FRESH and the old CONTACT_FIXED bits.
 RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 {
 	contact_end(p, i);
@@ -35,8 +35,8 @@ RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 	p->contact_feature[i] = make_int2(-1, -1);
 }
 
-// Ends the touch of a contact whose boxes parted, before the narrow phase releases the contact. In the narrow phase,
-// these lines would make it slower by a fifth on an H200, in worlds without events.
+// Ends the touch of a contact whose boxes parted, before the narrow phase releases the contact. These lines inside the
+// kernel narrow_phase would make it slower by a fifth on an H200, even in worlds without events.
 KERNEL(touch_part)
 {
 	Word flags = p->contact_flags[i];

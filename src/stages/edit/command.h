@@ -7,7 +7,7 @@
 #include "stages/edit/pool_item.h"
 #include "stages/geometry/pose.h"
 
-// Sets the linear velocity of a body; 0 along locked axes, finite in any case.
+// Sets the linear velocity of a body: 0 along locked axes, and the largest float in place of an infinite component.
 INLINE void command_velocity(const Pools* p, int body, Vec v)
 {
 	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : finite_or_most(v.x);
@@ -34,7 +34,7 @@ INLINE void command_push(const Pools* p, int body, Vec impulse)
 }
 
 // Returns the moment, about the center of mass, of a force or impulse at a world point. If a product overflows,
-// computes it from a force 2^64 times smaller: the difference of two infinite products would be NaN.
+// computes the moment from a force 2^64 times smaller, because the difference of two infinite products would be NaN.
 OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, float y)
 {
 	Float4 pose = p->pose[body];
@@ -45,7 +45,7 @@ OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, f
 	return finite_or_most(1.8446744e19f * vec_cross(arm, vec_scale(5.4210109e-20f, force)));
 }
 
-// Sets mass, inertia and center of mass. The body keeps its motion, so its velocity becomes that of the new center.
+// Sets inverse mass, inverse inertia and center of mass. The velocity becomes that of the body at the new center.
 INLINE void command_mass(const Pools* p, int i, Float4 value)
 {
 	Float2 old = p->local_center[i];
@@ -61,7 +61,7 @@ INLINE void command_mass(const Pools* p, int i, Float4 value)
 	command_velocity(p, i, v);
 }
 
-// Sets the values of body_values.def and the locks; velocities along locks become 0. locks: 1 x, 2 y, 4 rotation.
+// Sets the values of body_values.def and the locks; velocities along locks become 0. locks: 1: x; 2: y; 4: rotation.
 INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 {
 	GLOBAL Motion* motion = p->motion + i;
@@ -92,7 +92,7 @@ INLINE void command_rest(const Pools* p, int i)
 	motion->gravity_scale = 0.0f;
 }
 
-// Restores the velocity of a disabled body, for a command that changes or enables the body.
+// Restores the stored velocity of a disabled body, before a command that changes or enables the body.
 INLINE void command_wake(const Pools* p, int i)
 {
 	StoredVelocity stored = p->stored_velocity[i];
@@ -108,7 +108,7 @@ INLINE Vec command_center(const Pools* p, int i, Float4 pose)
 	return vec_add(vec(pose.x, pose.y), vec_turn(vec(pose.z, pose.w), vec(center.x, center.y)));
 }
 
-// Sets the velocity that moves a body to a pose in one step, by the shorter rotation; limits and locks are obeyed.
+// Sets the velocity that moves a body to a pose in one step, by the shorter rotation, within the limits and locks.
 INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 {
 	Float4 pose = p->pose[i];
@@ -121,7 +121,7 @@ INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = locks & 4 ? 0.0f : within(turn * rate, p->step.max_spin);
 }
 
-// Moves a body to a pose, except along its locks, and stops it.
+// Moves a body to a pose, except along its locks, and sets its velocity to 0.
 INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 {
 	Float4 pose = p->pose[i];
@@ -292,9 +292,9 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_rest(p, c.index);
 }
 
-#define COMMAND_SOON 6 // number of groups from the one that is applied to the one that is prefetched
+#define COMMAND_SOON 6 // prefetch distance, in groups
 
-// Item: a group, the commands of one body or one collidable. argument: number of groups.
+// Item: a group of commands: all those of one body or one collidable. argument: number of groups.
 KERNEL(command)
 {
 	if (FETCHES && i + COMMAND_SOON < p->argument)

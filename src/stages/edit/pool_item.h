@@ -12,7 +12,7 @@
 #define HASH_DERIVED(x)
 #define HASH_SCRATCH(x)
 
-// Adds an item to a hash. In all calls of these functions `per` is a constant: the compiler removes the other pools.
+// Adds an item to a hash. `per` is a constant in all calls of these functions, so the compiler removes all other pools.
 INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
 {
 #define X(type, name, of, role) HASH_##role(if (per == PER_##of) h = hash_##type(h, p->name[i]);)
@@ -21,8 +21,8 @@ INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
 	return h;
 }
 
-// Clears a new item. OpenCL C does not accept {0} for a vector, so the zero is the second member of a struct, which is
-// initialized to zero by default.
+// Clears a new item. OpenCL C does not accept {0} for a vector, so the zero comes from the second member of a struct,
+// which is zero by default.
 INLINE void item_clear(const Pools* p, Per per, int i)
 {
 #define X(type, name, of, role)           \

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// field_area.h -- computes area and centroid of the part of a shape that is in a fluid.
+// field_area.h -- computes area and first moments of the part of a shape that is in a fluid.
 //
 // An outline consists of edges and arcs. The x axis lies on the surface of the fluid. The integrals of x dy, x^2 / 2 dy
-// and x y dy around the immersed part are its area and its first moments. They are 0 along the surface itself, so sums
-// over the outline below the surface are exact. A shape that is cut by several edges of a region is clipped by one edge
-// after the other, and corners replace its arcs.
+// and x y dy around the immersed part are its area and its first moments. They are 0 along the surface of the fluid, so
+// the sums over the immersed outline of the shape are exact. If several edges of a region cut a shape, corners
+// replace the arcs of the shape, which is then clipped by one edge after the other.
 //
 // This work is based on:
 // George Green, An Essay on the Application of Mathematical Analysis, 1828: areas from integrals along outlines.
@@ -14,20 +14,20 @@
 #include "constraints/angle.h"
 #include "pools/pools.h"
 
-#define FIELD_CORNERS (3 * MAX_CORNERS + MAX_CORNERS) // corners of a clipped outline: 3 per arc, 1 per cut
+#define FIELD_CORNERS (3 * MAX_CORNERS + MAX_CORNERS) // corners of a clipped outline: 3 per arc, 1 more per cut
 
 typedef struct // m^2, m^3: area and its first moments
 {
 	float area, x, y;
 } FieldArea;
 
-typedef struct // edge of a region; points in the fluid have a negative distance from it
+typedef struct // edge of a region; the distance of a point from it is negative in the fluid
 {
 	Vec normal;
-	float offset; // m: signed distance of the shape's origin from the edge
+	float offset; // m: distance of the shape's origin from the edge, negative in the fluid
 } FieldEdge;
 
-// Adds the integrals along the part of an edge, from point a to point b, that is below y = 0.
+// Adds the integrals along an edge from point a to point b, without its part above y = 0.
 INLINE void field_area_edge(FieldArea* sum, Vec a, Vec b)
 {
 	if (a.y > 0.0f && b.y > 0.0f)
@@ -60,7 +60,7 @@ INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 	sum->y = sum->y + r * (center.y * width + r * (center.x * mixed + r * mixed2));
 }
 
-// Adds the integrals along the part of an arc below y = 0. An arc with both ends below may rise above y = 0.
+// Adds the integrals along an arc, without its part above y = 0. Both ends may be below y = 0 and the middle above.
 INLINE void field_area_arc(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
 	float sine = -center.y / r; // sine of the directions in which the circle crosses the surface
@@ -93,7 +93,7 @@ INLINE FieldArea field_area_below(const GLOBAL Attribute* shape, Vec turn, Field
 {
 	FieldArea sum = {0.0f, 0.0f, 0.0f};
 	float r = shape->radius;
-	// axes of the shape, relative to those of the surface
+	// rotation of the shape, relative to the x axis on the surface
 	Vec axes = vec_turn_back(vec(edge.normal.y, -edge.normal.x), turn);
 	int last = shape->count - 1;
 	Vec before = vec_turn(axes, vec(shape->normals[last].x, shape->normals[last].y));
@@ -123,8 +123,8 @@ INLINE FieldArea field_area_below(const GLOBAL Attribute* shape, Vec turn, Field
 	return part;
 }
 
-// Writes the corners of the outline of a rotated shape and returns their number. Corners replace each arc with the same
-// area: 8 corners for a circle, 5 for an end of a capsule, 3 for an arc of a polygon.
+// Writes the corners of the outline of a rotated shape and returns their number. Corners that
+// enclose the same area replace each arc: 8 for a circle, 5 for an end of a capsule, 3 for an arc of a polygon.
 INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 {
 	int count = 0, last = shape->count - 1;
@@ -149,7 +149,7 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 			out[count++] = vec_add(at, vec_scale(shape->radius, before));
 		if (shape->radius > 0.0f && shape->count == 2)
 		{
-			// half a turn: three corners between its ends
+			// the arc is half a turn: three corners between its ends
 			Vec d = vec_scale(1.07209f * shape->radius, before);
 			for (int e = 0; e < 3; ++e)
 			{
@@ -159,8 +159,8 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 		}
 		else if (shape->radius > 0.0f)
 		{
-			// corners enclose the same area as an arc of angle a if the middle one is at (a / 2) / sin(a / 2) times the
-			// radius, here as a series in sin^2(a / 2)
+			// the three corners enclose the area of an arc of angle `a` if the distance of the middle one is the radius
+			// times (a / 2) / sin(a / 2), computed here as a series in sin^2(a / 2)
 			Vec bisector = vec_add(before, normal);
 			float square = vec_dot(bisector, bisector),
 			      sine = maximum(1.0f - 0.25f * square, 0.0f); // squares of 2 cos(a / 2) and of sin(a / 2)
@@ -173,7 +173,8 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 	return count;
 }
 
-// Returns area and moments of the part of a shape that is below all edges whose bits in `cuts` are set.
+// Returns area and first moments of the part of a shape in the fluid. The edges whose bits in `cuts` are set bound the
+// fluid. The moments are about the shape's origin, in world axes.
 RARE FieldArea field_area_clipped(const GLOBAL Attribute* shape, Vec turn, const FieldEdge* edges, int cuts)
 {
 	Vec corners[FIELD_CORNERS], next[FIELD_CORNERS];
