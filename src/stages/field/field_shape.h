@@ -12,7 +12,7 @@
 typedef struct // shape on which fields act
 {
 	const GLOBAL Attribute* shape;
-	Vec at, turn, arm; // m: shape's origin in the world; rotation; vector from the body's center of mass to the origin
+	Vec at, turn, arm; // position of the shape, m; rotation; vector from the body's center of mass to this position, m
 	Vec v;             // m/s: velocity of the body's center of mass
 	float w;
 } FieldTarget;
@@ -65,7 +65,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const
 	}
 }
 
-// Returns edge k of a field's region. Without a shape, returns the surface of a fluid that fills everything below it.
+// Returns edge k of a field's region. A field without a shape has one edge: the surface of a fluid without a bottom.
 INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, int k, const FieldTarget* t)
 {
 	FieldEdge edge;
@@ -81,7 +81,7 @@ INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, 
 	return edge;
 }
 
-// m: Returns the largest height of a shape's points above an edge; if `sign` is -1, their largest depth below it.
+// m: Returns the largest height of a shape's points above an edge; if `sign` is -1, the largest depth below the edge.
 INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 {
 	Vec normal = vec_turn_back(t->turn, vec_scale(sign, edge.normal));

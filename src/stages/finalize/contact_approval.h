@@ -11,7 +11,7 @@
 
 // Item: a contact, after the narrow phase. Lists a pending contact that has points, unless it was refused. Writes the
 // keys of refused contacts, and of contacts that a one-way platform lets through, for continuous collision. argument: 1
-// if there are one-way platforms; then raises the depths of their visitors too (sunk_find).
+// if there are one-way platforms; in this case also raises the depths of their visitors (sunk_find).
 KERNEL(approval_request)
 {
 	Word flags = p->contact_flags[i];

@@ -12,7 +12,7 @@
 #define CONTINUOUS_DEEPEST 0.75f  // maximum depth; the middle of the collidable stays outside
 #define CONTINUOUS_PRESSED 0.5f   // maximum depth if pressed into something static; also limited to PRESS_MOST
 #define CONTINUOUS_SLACK   0.15f  // increase that a dynamic obstacle always allows, so that squeezed bodies slide
-#define CONTINUOUS_MOST    0.015f // m: the same if the obstacle is not dynamic; with a lower limit piles overlap more
+#define CONTINUOUS_MOST    0.015f // m: also a limit if the obstacle is not dynamic; if it is lower, piles overlap more
 
 typedef struct // end of a path
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // convex.h -- computes the exact distance of a point from a rounded convex core, and a moving point's first contact.
 //
-// A shape consists of a core, the convex hull of its corners, and all points within a radius of it. A core may also be
-// the Minkowski sum of one shape and the mirror image of another (convex_sum.h), because the distance of two shapes is
-// the distance of the second shape's origin from this sum. So the functions of this file answer all queries.
+// A shape consists of all points within a radius of its core; the core is the convex hull of its corners. A core may
+// also be the Minkowski sum of one shape and the mirror image of another (convex_sum.h), because the distance of two
+// shapes is the distance of the second shape's origin from this sum. So the functions of this file answer all queries.
 //
 // This work is based on:
 // Mike Cyrus, Jay Beck, Generalized Two- and Three-dimensional Clipping, 1978: a line against half-planes.
@@ -31,7 +31,7 @@ typedef struct // nearest point of a core
 
 typedef struct // first contact of a moving point with the surface
 {
-	int hit, inside;  // 1 if there is a contact; 1 if the path begins inside the shape
+	int hit, inside;  // `hit`: 1 if there is a contact; `inside`: 1 if the path begins inside the shape
 	float fraction;   // fraction of the path before the contact
 	int edge, corner; // as in ConvexNearest
 	Vec normal;
@@ -181,8 +181,8 @@ INLINE ConvexHit convex_inside(int edge, int corner)
 }
 
 // Returns the fraction of the path at which the moving point reaches edge k, whose corners are on different sides of
-// the path's line. If edge and path are nearly parallel, rounding may give any fraction, so the fraction is clamped to
-// the range between those of the corners. For a path of squared length 0 this range is NaN and clamps nothing.
+// the path's line. If edge and path are nearly parallel, rounding may give any fraction, so it is clamped to the range
+// between the fractions of the two corners. For a path of squared length 0 this range is NaN and clamps nothing.
 INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 {
 	Vec normal = convex_normal(c, k), from = vec_sub(convex_corner(c, k), q),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // manifold.h -- computes the manifold of two convex shapes: a normal and at most two points.
 //
-// A shape consists of a core, the convex hull of its vertices, and all points within a radius of it; a core of two
-// vertices has two edges, back to back. The reference edge is the edge along whose normal the cores are farthest apart.
-// The edge of the other core that faces it most, the incident edge, is clipped to its length (I. Sutherland and G.
-// Hodgman, Reentrant Polygon Clipping, 1974); the ends give two points. If a corner faces a corner, the manifold has
-// one point, between the nearest points of both shapes.
+// A shape consists of all points within a radius of its core, the convex hull of its vertices; a core of two vertices
+// has two edges, back to back. The reference edge is the edge along whose normal the cores are farthest apart. The
+// edge of the other core that faces it most, the incident edge, is clipped to its length (I. Sutherland and G. Hodgman,
+// Reentrant Polygon Clipping, 1974); the ends give two points. If a corner faces a corner, the manifold has one point,
+// between the nearest points of both shapes.
 #ifndef MANIFOLD_H
 #define MANIFOLD_H
 #include "stages/geometry/manifold_axis.h"

@@ -73,7 +73,7 @@ INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Cl
 #define OVER_SAME  0.9999f // cosine of the angle between normals that differ only by rounding
 
 // Returns whether shape a is round and shape b is a segment that cannot move, so that predict_end may replace the
-// manifold at a corner. With the replaced manifold, the end of the next segment would act on a loaded wheel like a step
+// manifold at a corner. Without the replacement, the end of the next segment would act on a loaded wheel like a step
 // (docs/manifolds.md, Seams). On a segment that moves, arms other than those at the impact would change angular
 // momentum.
 INLINE int predict_rolls(const Pools* p, WorldShape a, WorldShape b)

@@ -12,8 +12,8 @@
 #include "constraints/sweep_closing.h"
 #include "stages/geometry/manifold.h"
 
-// Maximum number of rounds of conservative advancement. In the scene tumbler, 90 % of the fast pairs need one, 1 % more
-// than five. A pair that spins by over a radian per step may need 15; with 12 rounds, some went through a wall.
+// Maximum number of rounds of conservative advancement. In the scene tumbler, 90 % of the fast pairs need one, and 1 %
+// need over five. A pair that spins by over a radian per step may need 15; with 12, some went through a wall.
 #define SWEEP_ROUNDS 20
 
 // m: overlap at which a pair counts as meeting. With 0, a body that slides over a seam between two floors would meet
@@ -52,7 +52,7 @@ INLINE Real sweep_speed(Closing c, Vec normal, Real time)
 	return c.swing - vec_dot(normal, vec_add(c.near, vec_scale(time, c.bend)));
 }
 
-// Returns the maximum separation of contact points at a time, in the frame of shape a. axes: rotation of shape a then.
+// Returns the maximum separation of contact points at `time`, in the frame of shape a. axes: rotation of shape a.
 INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 {
 	Reach r = reach_of(c.within);

@@ -10,8 +10,8 @@
 
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: maximum distance at which points of different features match
 
-// m: a pair without points is tested again when a point has moved by more than this plus the distance beyond the
-// speculative distance. The value is a quarter of the speculative distance, so that no contact is missed.
+// m: a pair without points is tested again when a point has moved by more than this plus the amount by which the pair's
+// gap exceeds the speculative distance. It is a quarter of the speculative distance, so that no contact is missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
 // Limits of the motion of a point up to which a manifold is kept. HOLD_DISTANCE, m: halved for a single point that does

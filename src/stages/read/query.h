@@ -296,7 +296,7 @@ KERNEL(query_ray) { query_run(p, i, QUERY_RAYS, p->argument); }
 KERNEL(query_shape) { query_run(p, i, QUERY_SHAPES, p->argument); }
 KERNEL(query_nearest) { query_run(p, i, QUERY_NEAREST, QUERY_CLOSEST); }
 
-// Writes key i of the next sort of all results: a value by `argument` (QUERY_BY_*), and the result's index below it.
+// Writes key i of a sort of all results. Upper half: value to sort by (argument: QUERY_BY_*). Lower half: result index.
 KERNEL(query_key)
 {
 	Word place = p->argument == QUERY_BY_COLLIDABLE ? (Word)i : (Word)p->key[i];

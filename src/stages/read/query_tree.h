@@ -10,7 +10,7 @@
 #include "stages/tree/tree.h"
 
 #define QUERY_MARGIN  LINEAR_SLOP // m: margin of a box, larger than any rounding error along the path of a query
-#define QUERY_SPACING 4.0e-7f     // margin for rounded coordinates, as a fraction of them
+#define QUERY_SPACING 4.0e-7f     // margin for rounding, as a fraction of the coordinates
 
 // Returns the box around the motion of a collidable from the start of the step to a pose. A rotation moves points off
 // the straight line by less than their distance from the center of mass times 1 minus the cosine of the rotation.

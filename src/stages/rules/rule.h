@@ -106,7 +106,7 @@ INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 	if (pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_PENDING))
 		return;
 	int by_a = one_way_is(p, pair.x), by_b = one_way_is(p, pair.y);
-	// box_parted: the attribute of a destroyed collidable may be any other, so one_way_is is not enough
+	// box_parted: a destroyed collidable may have any attribute, so one_way_is may be wrong for it
 	if (!(by_a || by_b) || box_parted(p, pair))
 		return;
 	if (by_a)
