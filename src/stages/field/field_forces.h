@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // field_forces.h -- computes the forces of fields on bodies, once per step, before the solve.
 //
-// One item sums all forces on a body, so no two items write to one place. It adds the sums of the body's collidables in
-// the order of their list, then the forces of fields that act on bodies, in order: only the user's calls affect the
-// sum. The result is added to the user's forces, which integrate applies in each substep and finalize clears.
+// A single item sums all forces on a body, so no two items write to one place. It first adds the forces on the body's
+// collidables, in the order of their list, then the forces of fields that act on bodies, by rising index. So only the
+// user's calls affect the sum. integrate applies it in each substep with the user's forces, and finalize clears it.
 //
 // This work is based on:
-// Henry Crozier Plummer, On the Problem of Distribution in Globular Star Clusters, 1911: soft centers.
+// Henry Crozier Plummer, On the Problem of Distribution in Globular Star Clusters, 1911: forces softened near a center.
 #ifndef FIELD_FORCES_H
 #define FIELD_FORCES_H
 #include "stages/edit/command.h"
 #include "stages/field/field_shape.h"
 
-// Computes the pose and the box of each field. argument: number of fields; items beyond this number are padding.
+// Computes the pose and the box of field i. argument: number of fields; the items after them get empty boxes.
 KERNEL(field_place)
 {
 	Float4 box = box_empty();
@@ -33,7 +33,7 @@ KERNEL(field_place)
 	box_pack(p->field_box, i, box);
 }
 
-// Item: a group of ARITY boxes. Computes the box around them. argument: number of boxes without the padding.
+// Item: a group of ARITY boxes. Computes the box around them. argument: number of boxes, padding included.
 KERNEL(field_gather)
 {
 	Float4 box = box_empty();
@@ -42,8 +42,9 @@ KERNEL(field_gather)
 	box_pack(p->field_group, i, box);
 }
 
-// Returns the acceleration toward a center divided by the distance to it, 1/s^2. way: vector to the center. The
-// acceleration is limited so that no step carries a body past the center; otherwise a strong field would eject bodies.
+// 1/s^2: Returns the acceleration toward a center, divided by the distance from the center; negative if the field
+// repels. way, m: vector to the center. The acceleration is limited so that a body at rest does not pass the center
+// within a step; otherwise a strong field would eject bodies.
 INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
 {
 	float r = square_root(vec_dot(way, way) + field->softening * field->softening), share = 1.0f;
@@ -59,7 +60,7 @@ INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
 	return within(field->strength * share / r, most);
 }
 
-// Returns whether a field acts on a body: the field acts on everything, or on a dynamic collidable of the body.
+// Returns whether the filter of a field accepts everything, or some dynamic collidable of a body.
 INLINE int field_sees_body(const Pools* p, const GLOBAL Field* field, int body)
 {
 	if (field->all)
@@ -101,7 +102,7 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	}
 }
 
-// Adds the forces of fields on body i to the user's forces. argument: whether fields act on shapes; number of fields.
+// Adds the forces of fields on body i to the user's forces. argument: 1 if fields act on shapes, and number of fields.
 KERNEL(field_body)
 {
 	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)

@@ -12,12 +12,12 @@
 typedef struct // shape on which fields act
 {
 	const GLOBAL Attribute* shape;
-	Vec at, turn, arm; // world position and rotation of the shape's origin; offset from the center of mass
+	Vec at, turn, arm; // position of the shape, m; rotation; vector from the body's center of mass to this position, m
 	Vec v;             // m/s: velocity of the body's center of mass
 	float w;
 } FieldTarget;
 
-// Returns the velocity of the medium relative to a point of the shape; arm: from the center of mass to the point.
+// Returns the velocity of the medium relative to a point. arm, m: vector from the body's center of mass to the point.
 INLINE Vec field_passing(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, Vec arm)
 {
 	Vec at = vec_add(t->at, vec_sub(arm, t->arm));
@@ -32,8 +32,9 @@ INLINE Vec field_middle(const GLOBAL Attribute* shape)
 	return vec_scale(1.0f / (float)shape->count, sum);
 }
 
-// Adds drag and lift at the middle of each edge that faces the wind, in proportion to the edge's width across the wind.
-// A rounded shape is wider than its core by twice its radius; the drag of this width acts at the mean of the corners.
+// Adds drag and lift of the wind, if the mean of the corners is in the field. They act at the middle of each edge that
+// faces the wind, in proportion to the edge's width across the wind. A rounded shape is wider than its core by twice
+// its radius; the drag of this width acts at the mean of the corners.
 INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, FieldForce* sum)
 {
 	const GLOBAL Attribute* shape = t->shape;
@@ -49,7 +50,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const
 		Vec arm = vec_add(vec_add(t->arm, vec_turn(t->turn, own)), vec_scale(shape->radius, normal));
 		Vec e = field_passing(field, spot, t, arm);
 		float speed = square_root(vec_dot(e, e)), facing = -vec_dot(normal, e);
-		if (!(facing > 0.0f && speed > 0.0f)) // squares of small speeds may be rounded to 0
+		if (!(facing > 0.0f && speed > 0.0f)) // `speed` may be 0: squares of small numbers may be rounded to 0
 			continue;
 		float rate = pressure * facing * square_root(vec_dot(edge, edge));
 		float side = field->lift * rate * (vec_cross(normal, e) / speed);
@@ -64,7 +65,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const
 	}
 }
 
-// Returns edge k of a region; if a field has no shape, the surface of a fluid that fills everything below.
+// Returns edge k of a field's region. A field without a shape has one edge: the surface of a fluid without a bottom.
 INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, int k, const FieldTarget* t)
 {
 	FieldEdge edge;
@@ -80,7 +81,7 @@ INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, 
 	return edge;
 }
 
-// Returns the height, m, of a shape's highest point above an edge; with sign -1, the depth of its lowest point.
+// m: Returns the largest height of a shape's points above an edge; if `sign` is -1, the largest depth below the edge.
 INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 {
 	Vec normal = vec_turn_back(t->turn, vec_scale(sign, edge.normal));
@@ -90,8 +91,8 @@ INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 	return sign * edge.offset + most + t->shape->radius;
 }
 
-// Returns area and moments of a shape's immersed part. *depth, m: shortest translation that takes the whole shape
-// out of the fluid.
+// Returns the area and the moments of a shape's immersed part; 0 if no part is immersed. *depth, m: length of the
+// shortest translation that takes the whole shape out of the fluid; not positive if the shape is outside.
 INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, float* depth)
 {
 	FieldArea none = {0.0f, 0.0f, 0.0f};
@@ -118,9 +119,10 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* sp
 	return field_area_below(t->shape, t->turn, line);
 }
 
-// N: Returns the limit of the force of a fluid at a point; otherwise a very light body would be thrown out. Apart from
-// the balance of gravity, a step adds at most the speed that takes the shape out of the fluid within the step, and at
-// most 2 sqrt(g width), as for a ball released under water. Bodies can carry dozens of times their weight.
+// N: Returns the maximum force of a fluid at a point; otherwise a very light body would be thrown out. The force may
+// balance gravity and, in addition, change the speed in a step by the smaller of depth / dt, so that the shape just
+// leaves the fluid, and 2 sqrt(g width), as for a ball released under water. Bodies can carry dozens of times their
+// weight.
 INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
 {
 	BodyState state = p->body[body];
@@ -130,8 +132,8 @@ INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, flo
 	return (weight + most) / easy;
 }
 
-// Adds buoyancy, drag in proportion to the immersed area, and drag by v^2 as for a disc of this area, all at the
-// centroid of the immersed part. Also adds the drag of rotation.
+// Adds the forces of a fluid. Three of them act at the centroid of the immersed part: buoyancy, drag in proportion to
+// the immersed area, and drag in proportion to v^2, as for a disc of the same area. The drag of rotation is a torque.
 INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSample* spot, int body,
                         const FieldTarget* t, FieldForce* sum)
 {
@@ -154,7 +156,7 @@ INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSa
 	    field->linear_drag * part.area + 0.5f * field->density * field->drag * width * square_root(vec_dot(e, e));
 	field_brake(sum, arm, rate, vec_scale(rate, e));
 
-	// drag of rotation, as of a rod that extends from the middle to both sides, as far as the farthest corner
+	// drag of rotation, as of a rod; its half length is at most the distance from the middle to the farthest point
 	Vec middle = field_middle(t->shape);
 	float most = 0.0f;
 	for (int k = 0; k < t->shape->count; ++k)

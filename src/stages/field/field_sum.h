@@ -2,7 +2,7 @@
 // field_sum.h -- computes the poses at which fields act on bodies, and sums the forces of fields on a body.
 //
 // Fields act once per step, at the poses that bodies reach without fields after (n - 1) / 2 of n substeps. So a step is
-// a drift, a kick and a drift, and orbits keep their energy (docs/fields.md, When fields act).
+// a leapfrog step (drift, kick, drift), and orbits keep their energy (docs/fields.md, When fields act).
 //
 // This work is based on:
 // Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: Stoermer and Verlet.
@@ -26,7 +26,7 @@ INLINE Float4 field_body_pose(const Pools* p, int body)
 	return make_float4(pose.x + ahead * state.vx, pose.y + ahead * state.vy, turn.x, turn.y);
 }
 
-// Transforms the pose `own` from a body's frame to the world. *arm: vector from the center of mass to the position.
+// Transforms the pose `own` from a body's frame to the world. *arm, m: vector from the center of mass to this pose.
 INLINE Float4 field_body_point(const Pools* p, int body, Float4 own, Vec* arm)
 {
 	Float4 pose = field_body_pose(p, body);
@@ -90,11 +90,11 @@ INLINE int field_sees(const GLOBAL Field* field, const GLOBAL Filter* filter)
 	return (field->mask & filter->category) != 0 && (filter->mask & field->category) != 0;
 }
 
-typedef struct // traversal of the fields whose boxes overlap a box, by rising index
+typedef struct // state of a loop over the fields whose boxes overlap `box`, by rising index
 {
 	Float4 box;
 	int count;        // number of fields
-	int next;         // next block to test: a block of boxes if there are few fields, else a block of groups
+	int next;         // next block to test: of ARITY boxes or, with more than FIELD_FEW fields, of ARITY groups
 	int group, first; // first group of the current block of groups; first box of the current block of boxes
 	Word groups, hits;
 } FieldTraversal;
@@ -105,7 +105,7 @@ INLINE FieldTraversal field_traverse(int count, Float4 box)
 	return traversal;
 }
 
-// Removes the lowest bit of a mask that is not 0. Returns the number of the bit.
+// Clears the lowest set bit of a mask that is not 0. Returns the number of this bit.
 INLINE int field_take(Word* bits)
 {
 	int k = 0;
@@ -142,7 +142,7 @@ INLINE FieldForce field_nothing(void)
 	return sum;
 }
 
-// Adds a force at a point, and its torque, to the sum. arm: from the center of mass to the point.
+// Adds a force at a point, and its torque, to the sum. arm, m: vector from the body's center of mass to the point.
 INLINE void field_push(FieldForce* sum, Vec arm, Vec force)
 {
 	sum->fx = sum->fx + force.x;
@@ -150,7 +150,7 @@ INLINE void field_push(FieldForce* sum, Vec arm, Vec force)
 	sum->torque = sum->torque + vec_cross(arm, force);
 }
 
-// Adds the drag of a medium at a point to the sum. rate, kg/s: force divided by the relative speed of the medium.
+// Adds the drag of a medium at a point to the sum. rate, kg/s: force divided by the medium's speed past the point.
 INLINE void field_brake(FieldForce* sum, Vec arm, float rate, Vec force)
 {
 	sum->drag_x = sum->drag_x + force.x;
@@ -162,7 +162,7 @@ INLINE void field_brake(FieldForce* sum, Vec arm, float rate, Vec force)
 	sum->rate_w = sum->rate_w + rate * vec_dot(arm, arm);
 }
 
-// Adds the torque of a medium that rotates faster than the body by `spin`, rad/s. rate, kg m^2/s: torque per rad/s.
+// Adds the torque of a medium that rotates faster than the body by `spin`, rad/s. rate, kg m^2/s: torque / spin.
 INLINE void field_brake_spin(FieldForce* sum, float rate, float spin)
 {
 	sum->drag_torque = sum->drag_torque + rate * spin;
@@ -183,9 +183,9 @@ INLINE void field_add(FieldForce* sum, FieldForce f)
 	sum->rate_w = sum->rate_w + f.rate_w;
 }
 
-// Limits the drag of a stiff medium, which would otherwise reverse the velocity within the step. First the linear and
-// the angular part are limited separately. Then both are scaled by a common factor, so that drag never adds energy.
-// Drag that is not stiff stays the same, so the speed at which it balances a force is exact.
+// Limits strong drag, which would otherwise reverse the velocity relative to the medium within the step. First the
+// linear and the angular part are limited separately. Then both are scaled by a common factor, so that drag never adds
+// energy. Drag below these limits is unchanged, so the speed at which it balances a force is exact.
 INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
 {
 	BodyState state = p->body[body];

@@ -2,15 +2,16 @@
 // contact_approval.h -- lists contacts that the user must approve, and stops their bodies where they meet.
 //
 // A pending contact has points but no impulses. Its bodies move only until they meet, so that they do not pass through
-// each other before the user has decided; they keep their velocities (docs/rules.md, Contact approval).
+// each other before the user has decided. The bodies keep their velocities (docs/rules.md, Contact approval).
 #ifndef CONTACT_APPROVAL_H
 #define CONTACT_APPROVAL_H
 #include "constraints/angle.h"
 #include "stages/finalize/continuous.h"
 #include "stages/finalize/finalize.h"
 
-// Item: a contact, after the narrow phase. Lists a pending contact if it has points. Writes the keys of contacts that
-// were refused, or that a one-way platform lets through, for continuous collision. argument: 1 if there are platforms.
+// Item: a contact, after the narrow phase. Lists a pending contact that has points, unless it was refused. Writes the
+// keys of refused contacts, and of contacts that a one-way platform lets through, for continuous collision. argument: 1
+// if there are one-way platforms; in this case also raises the depths of their visitors (sunk_find).
 KERNEL(approval_request)
 {
 	Word flags = p->contact_flags[i];
@@ -39,7 +40,7 @@ KERNEL(approval_request)
 
 KERNEL(refused_pair) { p->refused[i] = p->key[i]; }
 
-// Lists contact i at the end of the step, if it is pending. The contact keeps this slot until the next step.
+// Lists contact i at the end of the step if approval_request listed it. It keeps this slot until the next step.
 KERNEL(approval_list)
 {
 	if (p->contact_flags[i] & CONTACT_WAITED)
@@ -71,7 +72,7 @@ INLINE Sweep approval_sweep(const Pools* p, WorldShape s)
 	return sweep_with(approval_advance(p, s.body), vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
-// Item: a pending contact. Limits the motion of its two bodies to the fraction of the step at which they meet.
+// Item: a pending contact. Limits the motion of its two bodies to the fraction of the step after which they meet.
 KERNEL(approval_find)
 {
 	int slot = p->waiting[i];
@@ -81,7 +82,7 @@ KERNEL(approval_find)
 	float share = continuous_time(p, a, approval_sweep(p, a), b, approval_sweep(p, b), meets).time;
 	if (!(share < 1.0f))
 		return;
-	// non-negative floats have the same order as their bits
+	// bits of non-negative floats, as integers, have the same order as the floats
 	atomic_min_int(&p->approval_fraction[bodies.x], float_bits(share));
 	atomic_min_int(&p->approval_fraction[bodies.y], float_bits(share));
 }

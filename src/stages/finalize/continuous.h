@@ -13,9 +13,9 @@
 #define CONTINUOUS_H
 #include "stages/finalize/continuous_search.h"
 
-// fraction of the thickness. A path that leaves the box of the step by more than this is also swept against moving
-// collidables that have no contact with it. Other paths need no such sweep: the boxes of two collidables without a
-// contact are apart, so neither collidable can pass the middle of the other.
+// fraction of a collidable's thickness. If the path of a collidable leaves its box of the step by more than this, the
+// collidable is also swept against moving collidables with which it has no contact. Other paths need no such sweep: the
+// boxes of two collidables without a contact are apart, so neither collidable can pass the middle of the other.
 #define CONTINUOUS_OUTLIER 0.5f
 
 // Returns the path of collidable i, which moves with its body. path, turn: displacement and rotation of the body.
@@ -43,8 +43,8 @@ INLINE Float4 continuous_box(const Pools* p, const ContinuousPath* g)
 	return box_grow(box_union(box, then), g->swing);
 }
 
-// Returns whether a collidable moves far relative to some kinematic body. With more than KINEMATIC_FEW kinematic
-// bodies, returns 1 without a test.
+// Returns whether a collidable moves by more than CONTINUOUS_TRAVEL times its thickness relative to some kinematic
+// body. With more than KINEMATIC_FEW kinematic bodies, returns 1 without a test.
 RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 {
 	int far = p->step.kinematic > KINEMATIC_FEW;
@@ -56,10 +56,10 @@ RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 	return far;
 }
 
-// Returns a mask of the kinds that may obstruct a collidable, one bit per kind. A collidable whose path stays in the
-// step's box has contacts with everything near it. `lists` 0: also sets the box of the path if the mask is not 0.
-// `lists` 1: only tests whether the mask is 0; to save registers, a GPU leaves the distances to kinematic bodies to the
-// kernel continuous.
+// Returns a mask of the kinds that may obstruct a collidable, one bit per kind. If its path stays in its box of the
+// step, these are only kinds with which its body has contacts. If the mask is not 0, also sets g->box. If `lists` is 1,
+// the caller uses only whether the mask is 0: then g->box may remain unset, and a GPU, to save registers, leaves the
+// test of distances to kinematic bodies to the kernel continuous.
 INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 {
 	float far = continuous_far(g->way.path, g->swing);
@@ -85,22 +85,22 @@ INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
-// Returns whether a body certainly has not left the boxes of its collidables: without contacts and forces, it moved as
-// predicted at the start of the step.
+// Returns whether a body certainly has not left the boxes of its collidables: it has no contacts, so it moved as
+// predicted at the start of the step. The caller checks that the user has applied no force.
 INLINE int continuous_foreseen(const Pools* p, int body, float gravity_scale)
 {
 	return p->step.calm && absolute(gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
 	       p->other_contacts[body] == 0;
 }
 
-// Returns 1 if a body has one collidable, which cannot hit the only static collidable near it; 0 if that is not
-// certain. On a CPU this ends the test of most rolling bodies.
+// Returns 1 if a body has only one collidable and nothing can obstruct it, not even the only static collidable with
+// which it has a contact; 0 if that is not certain. On a CPU this ends the test of most rolling bodies.
 RARE int continuous_passes_only(const Pools* p, int body, Vec path, float turn)
 {
 	int k = p->continuous_body[body].first - 1, c = p->static_contact[body];
 	if (k < 0 || p->next_collidable[k] != 0 || c < 0 || c >= p->counters->live)
 		return 0;
-	// the slot may contain another contact by now; a contact of collidable k with something static is the right one
+	// the slot may have been reused; any contact of collidable k with something static is the right one
 	Int2 pair = p->pair[c];
 	if (pair.x != k || p->collidable_kind[pair.y] != KIND_STATIC)
 		return 0;
@@ -115,7 +115,7 @@ RARE int continuous_passes_only(const Pools* p, int body, Vec path, float turn)
 	                         continuous_depth(&g, KIND_STATIC).deeper);
 }
 
-// Returns whether nothing can obstruct a body. This is true for most bodies.
+// Returns 1 if certainly nothing can obstruct a body, otherwise 0. The result is 1 for most bodies.
 INLINE int continuous_clear(const Pools* p, int body, Vec path, float turn)
 {
 	int fixed = p->fixed_contacts[body];
@@ -146,9 +146,9 @@ INLINE int continuous_skip(const Pools* p, int k, int count)
 	return k;
 }
 
-// Returns the earliest stop among the collidables part, part + parts, part + 2 parts, ... of a body; if `part` is -1,
-// among all collidables of a pressed body. With this stride all parts need about the same number of iterations, so few
-// work-items of a GPU wait for others.
+// Returns the earliest stop among collidables number `part`, part + parts, part + 2 parts and so on of a body; if
+// `part` is -1, among all collidables of a pressed body. With this stride all parts need about the same number of
+// iterations, so few work-items of a GPU wait for others.
 INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_body, int part, Vec path, float turn)
 {
 	ContinuousStop least = continuous_stop(1.0f, vec(0.0f, 0.0f), 0);
@@ -176,8 +176,9 @@ INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float rea
 	return tree_hits(p, tree->begin[tree->top], box_grow(box, reach)) != 0;
 }
 
-// Returns whether a body must be tested: it moves far or, near static or kinematic bodies, less far. Bounds in Step
-// exclude most bodies before their rows are read.
+// Returns whether a body must be tested for obstacles: it moves by more than CONTINUOUS_CROSS times its thickness or,
+// if something static is near or the world has kinematic bodies, by more than CONTINUOUS_TRAVEL times its thickness.
+// Bounds in Step exclude most bodies before their data are read.
 INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 {
 	float far = absolute(path.x) + absolute(path.y), swing = absolute(turn);
@@ -214,7 +215,7 @@ INLINE void continuous_enlist(const Pools* p, int body)
 	p->continuous_parts[body] = 0;
 }
 
-// Returns whether this part of a body finishes last. If so, *share, its fraction of the path, becomes the least of all.
+// Returns whether this part of a body finishes last; if so, *share becomes the smallest *share of all parts.
 INLINE int continuous_all(const Pools* p, ContinuousBody continuous_body, int body, float* share)
 {
 	if (continuous_body.parts == 1)

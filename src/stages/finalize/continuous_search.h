@@ -7,12 +7,12 @@
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 
-// Limits of the depth of a collidable in an obstacle, as fractions of its thickness, unless the unit is m.
+// Limits of the depth of a collidable in an obstacle, in m or as fractions of the collidable's thickness.
 #define CONTINUOUS_DEPTH   0.25f  // maximum increase of the depth in a step
 #define CONTINUOUS_DEEPEST 0.75f  // maximum depth; the middle of the collidable stays outside
 #define CONTINUOUS_PRESSED 0.5f   // maximum depth if pressed into something static; also limited to PRESS_MOST
 #define CONTINUOUS_SLACK   0.15f  // increase that a dynamic obstacle always allows, so that squeezed bodies slide
-#define CONTINUOUS_MOST    0.015f // m: maximum increase for other obstacles; with a lower limit piles overlap more
+#define CONTINUOUS_MOST    0.015f // m: also a limit if the obstacle is not dynamic; if it is lower, piles overlap more
 
 typedef struct // end of a path
 {
@@ -50,8 +50,9 @@ INLINE Sweep continuous_way(const Pools* p, WorldShape s, Advance advance)
 
 #define CONTINUOUS_ROUNDING 1.00001f // factor that enlarges a length by more than its rounding error
 
-// Returns the motion with the exact distance of the farthest corner as its reach. The bound of sweep_with is much
-// larger if a shape is far from its origin: a small spinning body would exceed the limit of rounds and stay in the air.
+// Returns the motion `way`, with the distance of the farthest corner from the center of mass as its reach. The reach of
+// sweep_with is a bound that is much larger if a shape is far from its origin: a small spinning body would need more
+// than SWEEP_ROUNDS rounds and stay in the air.
 INLINE Sweep continuous_near(const Pools* p, WorldShape s, Sweep way)
 {
 	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
@@ -91,9 +92,9 @@ INLINE int continuous_yields(Sweep way, ContinuousMeeting met) { return continuo
 
 typedef struct // collidable and its path
 {
-	int index, pressed;     // pressed: 1 if pressed into something static, so that the depth is limited to PRESS_MOST
+	int index, pressed;     // `pressed`: 1 if pressed into something static, so that the depth is limited to PRESS_MOST
 	int seeks;              // bit k: collidables of kind k may obstruct this one
-	float thickness, swing; // m
+	float thickness, swing; // m; `swing`: upper bound of the motion of points by the rotation
 	WorldShape from;
 	Sweep way;
 	Float4 box;
@@ -142,8 +143,9 @@ INLINE float continuous_far_from(const Pools* p, const ContinuousPath* g, WorldS
 	return continuous_far(vec_sub(apart, vec_spin(went.turn, middle)), swing);
 }
 
-// Returns whether a leaf may stop a collidable: it is static, or the two move so far relative to each other that one
-// may get past the middle of the other. Quick tests exclude the collidable itself and those that its filter rejects.
+// Returns whether a leaf may stop a collidable: it is static, or the two move relative to each other by more than a
+// fraction of the collidable's thickness: CONTINUOUS_TRAVEL if the leaf is kinematic, CONTINUOUS_CROSS if it is
+// dynamic. Excludes the collidable itself and moving leaves that its filter rejects.
 INLINE int continuous_meets(const Pools* p, const ContinuousPath* g, const ContinuousLeaf* leaf)
 {
 	if (!(g->seeks >> leaf->kind & 1))
@@ -159,7 +161,7 @@ INLINE int continuous_meets(const Pools* p, const ContinuousPath* g, const Conti
 	return continuous_far(vec_sub(g->way.path, went.path), swing) > CONTINUOUS_CROSS * g->thickness;
 }
 
-// Returns the leaves of a mask that may stop a collidable. Bit 0 of the mask is the leaf at place `first`.
+// Returns a mask of those leaves of the mask `leaves` that may stop a collidable. Bit 0 is the leaf at place `first`.
 INLINE Word64 continuous_meeting(const Pools* p, const ContinuousPath* g, int first, Word64 leaves)
 {
 	Word64 meeting = 0;
@@ -231,9 +233,9 @@ RARE ContinuousStop continuous_leaf(const Pools* p, const ContinuousPath* g, int
 	return continuous_stop(share, met.normal, j);
 }
 
-typedef struct // traversal of the leaves that may stop a collidable: first the moving tree, then the static tree
+typedef struct // state of a loop over the leaves that may stop a collidable: first tree 0, then tree 1 (static)
 {
-	int tree, place; // place: first leaf of the current node
+	int tree, place; // `place`: first leaf of the current node
 	Word64 leaves;   // mask of the remaining leaves of that node
 	TreeTraversal traversal;
 } ContinuousTraversal;

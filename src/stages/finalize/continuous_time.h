@@ -17,14 +17,14 @@ typedef struct // first time at which two collidables a and b are too deep in ea
 	Vec point;  // deepest point at that time, from the origin of b, m
 } ContinuousMeeting;
 
-// m per step^2: Returns the acceleration of the smaller collidable at a time, in the rotating frame of the larger one.
+// m per step^2: Returns the acceleration of the smaller collidable at `time`, in the rotating frame of the larger one.
 INLINE Vec continuous_bend(Closing c, float time)
 {
 	float frame = c.b.reach < c.a.reach ? c.a.turn : c.b.turn;
 	return vec_sub(c.bend, vec_spin(frame, vec_add(c.near, vec_scale(time, c.bend))));
 }
 
-// Returns the separation up to which points, on curved paths, count in the rest of the step, in the frame of shape a.
+// Returns the result of sweep_reach, with `swing` enlarged by the largest distance of curved paths from their tangents.
 INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 {
 	Reach reach = sweep_reach(c, axes, time);
@@ -34,8 +34,8 @@ INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 	return reach;
 }
 
-// Returns a fraction of the step, from `time` on, in which each point of the smaller collidable approaches the larger
-// one along a normal by at most its gap. left, m: gap of the deepest point, the smallest of all gaps.
+// Returns a duration after `time`, as a fraction of the step and at most 2, in which no point of the smaller collidable
+// approaches the larger one along a normal by more than its gap. left, m: gap of the deepest point.
 INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Closing c, Vec normal, float time,
                                 float left)
 {
@@ -64,9 +64,9 @@ INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Clos
 	return soon;
 }
 
-#define CONTINUOUS_SLIDES 1.0e-5f // fraction of the motion: a point that approaches by less than this slides
+#define CONTINUOUS_SLIDES 1.0e-5f // fraction of the relative motion; a point that approaches by less only slides
 
-// Returns whether a point of a manifold whose depth is at least `deep`, m, begins to get deeper.
+// Returns 1 if a manifold has a point whose depth is at least `deep`, m, and increases; otherwise 0.
 INLINE int continuous_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep)
 {
 	Vec normal = vec_turn(axes, m.normal);
@@ -87,11 +87,11 @@ typedef struct // limits of the depth of shape b in shape a, m
 	float deeper;  // limit of the increase since the start of the step
 	float deepest; // limit of the total depth
 	float slack;   // increase that is always allowed
-	float pressed; // if b is pressed into a resting shape a: depth above which it must not increase; else 0
+	float pressed; // if b is pressed into a static shape a: depth beyond which b must not get deeper; else 0
 } ContinuousDepth;
 
 // Returns an upper bound of the distance, m, by which the path of a point of b, in the rotating frame of a, leaves the
-// straight line from its start to its end: an eighth of its largest acceleration, m per step^2.
+// straight line from its start to its end: an eighth of the point's largest acceleration, m per step^2.
 INLINE float continuous_bow(Closing c, Vec between)
 {
 	Vec apart = vec_sub(c.b.path, c.a.path);
@@ -101,13 +101,13 @@ INLINE float continuous_bow(Closing c, Vec between)
 	return 0.125f * (turn * (turn * (arm + far) + 2.0f * far) + spin * spin * c.b.reach);
 }
 
-typedef struct // side of a shape, in its frame
+typedef struct // side of a shape, in the frame of the shape
 {
 	Vec normal;
 	float surface; // m: distance of the surface from the origin of the frame, along the normal
 } ContinuousSide;
 
-// Returns the side of a shape with the largest signed distance to a point (positive: outside) in the shape's frame.
+// Returns the side of a shape with the largest signed distance (positive: outside) to a point in the shape's frame.
 INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 {
 	ContinuousSide side;
@@ -137,8 +137,9 @@ INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 	return side;
 }
 
-// Returns whether the depth of shape b in shape a along one normal stays below `deep`, m, on the whole path. For most
-// pairs it does. A corner is lower than both ends of its path by at most its bow (continuous_bow).
+// Returns whether shape b stays less than `deep`, m, below one side of shape a (continuous_side) on the whole path, so
+// that the two cannot get too deep into each other. This holds for most pairs. Between the ends of its path, a corner
+// gets lower than both ends by at most continuous_bow.
 RARE int continuous_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;

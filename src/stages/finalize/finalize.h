@@ -23,9 +23,9 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	pose_move(p, i, d, turn);
 }
 
-// Limits speed, spin and displacement of a body that is or was recently pressed between two others. The limit of the
-// speed is the speed of the press or, if larger, about that of the body at the start of the step, plus the speed that
-// gravity adds in a step. Returns whether the body may get too deep into something static.
+// Limits speed, spin and displacement of a body that is or was recently pressed between two others. The maximum speed
+// is the larger of the press's speed and the body's speed before the step (times PRESS_SLOWER while it is pressed),
+// plus the speed that gravity adds. Returns whether the body may get too deep into something static.
 INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
 {
 	Press press = p->press[i];
@@ -99,9 +99,9 @@ KERNEL(finalize)
 }
 
 // Item: a part of a body that moves far, or a pressed body. Moves the body until something obstructs it. A pressed body
-// then slides along the obstacle as far as possible, and rotates until something obstructs the rotation. A body of one
-// part slides too if the world has joints; otherwise a chain would press a stopped link ever harder. All searches share
-// one call: clang for PTX inlines no second call, and keeps the pools on the stack: all kernels were slower on an H200.
+// then slides along the obstacle and completes its rotation, or only slides. A body of one part slides too if the world
+// has joints; otherwise a chain would press a stopped link ever harder. All searches share one call, because clang for
+// PTX inlines no second call and would keep the pools on the stack: all kernels were slower on an H200.
 KERNEL(continuous)
 {
 	Int2 item = p->continuous_list[i];

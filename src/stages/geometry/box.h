@@ -9,8 +9,8 @@ INLINE int box_is_empty(Float4 b) { return b.x > b.z; }
 
 INLINE int box_overlap(Float4 a, Float4 b) { return a.x <= b.z && b.x <= a.z && a.y <= b.w && b.y <= a.w; }
 
-// Returns whether a contact must end: the boxes of its pair do not overlap, or the old boxes do not, because a
-// collidable was created in the slot of a destroyed one.
+// Returns whether a contact must end: the boxes of its pair do not overlap now, or did not overlap in the last step.
+// The latter occurs if a collidable was created in the slot of a destroyed one.
 INLINE int box_parted(const Pools* p, Int2 pair)
 {
 	return !(box_overlap(p->box[pair.x], p->box[pair.y]) && box_overlap(p->old_box[pair.x], p->old_box[pair.y]));
@@ -28,7 +28,7 @@ INLINE Float4 box_union(Float4 a, Float4 b)
 	return make_float4(b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y, b.z > a.z ? b.z : a.z, b.w > a.w ? b.w : a.w);
 }
 
-// Returns the index of a bound of box i among boxes that are packed by eight (dialect.h). `which`: 0 lower x, 1 lower
+// Returns the index of one bound of box i in an array of boxes packed by eight (dialect.h). `which`: 0 lower x, 1 lower
 // y, 2 upper x, 3 upper y.
 INLINE int box_bound(int i, int which) { return (i & ~7) * 4 + 8 * which + (i & 7); }
 

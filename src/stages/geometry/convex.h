@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // convex.h -- computes the exact distance of a point from a rounded convex core, and a moving point's first contact.
 //
-// A shape consists of all points within a radius of its core, the convex hull of its corners. A core may also be the
-// Minkowski sum of one shape and the mirror image of another (convex_sum.h), because the distance of two shapes is the
-// distance of the second shape's origin from this sum. So these functions answer all queries.
+// A shape consists of all points within a radius of its core; the core is the convex hull of its corners. A core may
+// also be the Minkowski sum of one shape and the mirror image of another (convex_sum.h), because the distance of two
+// shapes is the distance of the second shape's origin from this sum. So the functions of this file answer all queries.
 //
 // This work is based on:
 // Mike Cyrus, Jay Beck, Generalized Two- and Three-dimensional Clipping, 1978: a line against half-planes.
@@ -19,20 +19,20 @@ typedef struct
 	const Vec* normals;            // outward normals of the edges of a sum; edge k leads from corner k to k + 1
 	int count;                     // number of corners
 	int thin;                      // 1 if the core has no area: it has two edges, back to back
-	Real radius;                   // m
+	Real radius;                   // m: distance of the surface from the core
 } Convex;
 
 typedef struct // nearest point of a core
 {
-	int edge, corner; // corner -1: the nearest point is within the edge
-	Real separation;  // separation of the point from the surface, m; negative inside
-	Vec normal;       // unit vector away from the core
+	int edge, corner; // edge of the nearest point; corner if that point is a corner, otherwise -1
+	Real separation;  // m: distance of the query point from the surface (core plus radius); negative inside
+	Vec normal;       // outward unit normal of the surface, toward the query point if it is outside
 } ConvexNearest;
 
 typedef struct // first contact of a moving point with the surface
 {
-	int hit, inside;  // inside: the path begins inside
-	float fraction;   // fraction of the path
+	int hit, inside;  // `hit`: 1 if there is a contact; `inside`: 1 if the path begins inside the shape
+	float fraction;   // fraction of the path before the contact
 	int edge, corner; // as in ConvexNearest
 	Vec normal;
 } ConvexHit;
@@ -61,9 +61,9 @@ INLINE Real convex_along(const Convex* c, int k, int from, Vec q)
 	return vec_cross(up, vec_sub(q, convex_corner(c, from)));
 }
 
-// Finds the Voronoi region in which a point outside the core is. Returns the edge of the region; *corner: its corner;
-// -1: none. `edge`: an edge with the point on its outer side, where the search begins. Two nearly parallel edges may
-// each assign the point to the other edge, so the search ends after as many edges as the core has.
+// Finds the Voronoi region that contains a point outside the core. Returns its edge. *corner: index of the corner if
+// the region belongs to a corner, otherwise -1. `edge`: first edge to test; the point is on its outer side. Two nearly
+// parallel edges may each assign the point to the other edge, so the search ends after as many edges as the core has.
 INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 {
 	*corner = -1;
@@ -94,7 +94,7 @@ INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 	return edge;
 }
 
-// Returns a point's separation from the circle around a corner, with the normal. up: normal exactly at the corner.
+// Returns the result for a point whose nearest point of the core is a corner. up: normal exactly at the corner.
 INLINE ConvexNearest convex_at_corner(const Convex* c, int edge, int corner, Vec q, Vec up)
 {
 	Vec d = vec_sub(q, convex_corner(c, corner));
@@ -143,8 +143,8 @@ INLINE ConvexHit convex_miss(void)
 	return hit;
 }
 
-// Returns the first contact of a point outside with the circle around a corner. The nearest point of the line is
-// computed first: a discriminant of the whole path would miss a small circle at the end of a long path.
+// Returns the first contact of a point, which begins outside, with the circle around a corner. The point of the line
+// that is nearest to the corner is computed first: a discriminant would miss a small circle at the end of a long path.
 INLINE ConvexHit convex_hit_corner(const Convex* c, int edge, int corner, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();
@@ -180,9 +180,9 @@ INLINE ConvexHit convex_inside(int edge, int corner)
 	return hit;
 }
 
-// Returns the fraction of the path at which the moving point reaches edge k, whose corners are on both sides of the
-// path's line. If edge and path are nearly parallel, rounding may give any fraction, so the fraction is clamped to the
-// range between the two corners. For a path of squared length 0 this range is NaN and clamps nothing.
+// Returns the fraction of the path at which the moving point reaches edge k, whose corners are on different sides of
+// the path's line. If edge and path are nearly parallel, rounding may give any fraction, so it is clamped to the range
+// between the fractions of the two corners. For a path of squared length 0 this range is NaN and clamps nothing.
 INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 {
 	Vec normal = convex_normal(c, k), from = vec_sub(convex_corner(c, k), q),
@@ -192,8 +192,8 @@ INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 	return minimum(share, maximum(first, last));
 }
 
-// Returns the first contact with a sharp core. The path enters and leaves through the edges whose corners are on both
-// sides of its line. A corner is on the same side for both of its edges, so rounding lets no path pass between them.
+// Returns the first contact with a core of radius 0. The path's line enters and leaves through the edges whose corners
+// are on different sides of it. Both edges of a corner use one test of its side, so no path can pass between them.
 INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();
@@ -227,7 +227,7 @@ INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
 }
 
 // Returns the first contact of a point that moves from q along a path. The half-planes of the edges, moved outward by
-// the radius, bound the shape, but with mitered corners; near a corner the circle around it is used instead.
+// the radius, enclose the shape, but do not round its corners; near a corner the circle around it is used instead.
 INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
 {
 	if (c->count > 1 && !(c->radius > 0.0f))

@@ -9,10 +9,10 @@
 
 #define SUM_CORNERS (2 * MAX_CORNERS)
 
-#define SUM_PARALLEL 2e-7f // sine of the angle between two edges, up to which they are merged
-#define SUM_FLAT     1e-4f // sine of the angle between two segments, below which their sum has no area
+#define SUM_PARALLEL 2e-7f // maximum sine of the angle between two edges that are merged
+#define SUM_FLAT     1e-4f // maximum sine of the angle between two segments whose sum counts as without area
 
-// source of an edge of a sum: the shape that has the edge
+// source of an edge of a sum: the core to which the edge belongs, or both cores
 #define SUM_OF_A    1
 #define SUM_OF_B    2
 #define SUM_OF_BOTH 3
@@ -20,12 +20,12 @@
 typedef struct // Minkowski sum, in the frame of shape a
 {
 	Vec corners[SUM_CORNERS], normals[SUM_CORNERS];
-	Word parts[SUM_CORNERS]; // bits 0-7: corner of shape a; 8-15: of shape b; from 16 on: SUM_OF_* of the next edge
+	Word parts[SUM_CORNERS]; // bits 0-7: corner of shape a; 8-15: of shape b; from 16 on: SUM_OF_* of edge k
 	int count, thin;
 } Sum;
 
-// Returns the corner of a core at which its edges, sorted by angle, begin: the lowest corner, and the left one of two
-// that are equally low. sign -1: for the mirror image of the core.
+// Returns the first corner of a core whose edges are sorted by angle: the lowest corner or, of two equally low ones,
+// the left one. turn: rotation of the core. sign: 1, or -1 for the mirror image of the core.
 INLINE int sum_first(const GLOBAL Attribute* shape, Vec turn, float sign)
 {
 	int first = 0;
@@ -42,7 +42,7 @@ INLINE int sum_first(const GLOBAL Attribute* shape, Vec turn, float sign)
 	return first;
 }
 
-// Returns the source of a sum's next edge: the core whose next edge, `a` or `b`, has the smaller angle, or both.
+// Returns the source of a sum's next edge: the core whose next edge has the smaller angle, or both. a, b: next edges.
 INLINE Word sum_turn(Vec a, Vec b)
 {
 	Real cross = vec_cross(a, b), dot = vec_dot(a, b);
@@ -113,7 +113,7 @@ INLINE Convex sum_convex(const Sum* sum, Real radius)
 }
 
 // Returns the point of shape a's surface that is nearest to shape b. The shapes do not overlap. edge, corner, normal:
-// nearest edge of the sum, nearest corner or -1, and normal there. q: origin of shape b in the frame of shape a.
+// edge of the sum, corner or -1, and normal, from convex_nearest. q: origin of shape b in the frame of shape a.
 INLINE Vec sum_point(const Sum* sum, const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec turn, Vec q, int edge,
                      int corner, Vec normal)
 {

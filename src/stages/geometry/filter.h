@@ -11,7 +11,7 @@ INLINE int filter_accepts(Filter a, Filter b)
 	return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 
-// Returns whether two kinds may collide: one must be dynamic or without a body (detection only); sensors touch nothing.
+// Returns whether two kinds may have a contact: one is dynamic or has no body, and none is a sensor or dead.
 INLINE int kinds_meet(int a, int b)
 {
 	if ((a | b) & KIND_SENSOR || a == KIND_DEAD || b == KIND_DEAD)

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 // manifold.h -- computes the manifold of two convex shapes: a normal and at most two points.
 //
-// A shape is a core, the hull of its vertices, and a radius around it; a core of two vertices has two edges back to
-// back. The reference edge is that along whose normal the separation of the cores is largest. The incident edge, the
-// edge of the other core that faces it most, is clipped to the reference edge (I. Sutherland and G. Hodgman, Reentrant
-// Polygon Clipping, 1974), which leaves two points. If a corner faces a corner, the nearest points make a manifold of
-// one point.
+// A shape consists of all points within a radius of its core, the convex hull of its vertices; a core of two vertices
+// has two edges, back to back. The reference edge is the edge along whose normal the cores are farthest apart. The
+// edge of the other core that faces it most, the incident edge, is clipped to its length (I. Sutherland and G. Hodgman,
+// Reentrant Polygon Clipping, 1974); the ends give two points. If a corner faces a corner, the manifold has one point,
+// between the nearest points of both shapes.
 #ifndef MANIFOLD_H
 #define MANIFOLD_H
 #include "stages/geometry/manifold_axis.h"
 #include "stages/geometry/manifold_nearest.h"
 
-// m: if the edges of two shapes face each other, that of shape a is the reference edge only if its separation exceeds
-// that of the edge of shape b by this, so that the choice does not alternate from step to step. Shape b is preferred,
-// because it does not move or is larger than shape a. Of edges that do not face each other, the one with the larger
-// separation is used: the other may not be at the nearest points.
+// m: if the best edges of two shapes face each other, that of shape a is the reference edge only if its separation is
+// larger than that of the edge of shape b by at least this, so that the choice does not alternate from step to step.
+// Shape b is preferred, because it does not move or is the larger one. If the edges do not face each other, the one
+// with the larger separation is used, because the other may not be at the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
-// m: tolerance. The manifold is on an edge if the nearer clipped point is at most this much farther from the edge than
-// the cores are apart. Vectors that are shorter than this have no direction.
+// m: tolerance. Two edges make the manifold if the nearer clipped point is at most this much farther from the reference
+// edge than the separation of the cores. A distance up to this gives no direction.
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
-// m: if the centers of two circles are closer than this, there is no direction between them. The limit is small, so
-// that the normals of bodies near one place fit their positions.
+// m: two circles whose centers are at most this far apart get the y axis as their normal. The limit is small, so that
+// the normals of all other bodies near one place fit their positions.
 #define CENTERS_APART (0.0002f * LINEAR_SLOP)
 
 // cosine: edges face each other if the product of their normals is below -FACING. Then a point's feature is two
@@ -34,16 +34,16 @@ typedef struct // manifold in the frame of shape a
 	Vec point[2];       // points in the middle between the two surfaces, m
 	Real separation[2]; // separation of the surfaces, negative if they overlap, m; NO_POINT for a missing point
 	int feature[2];     // feature of shape a << 8 | feature of shape b; different for the two points
-	int count;          // number of points; if it is 0, there is no normal either
-	int made;           // MANIFOLD_* bits: which shape has each corner point; with which shape the normal rotates
+	int count;          // number of points; if it is 0, the normal may be 0 too
+	int made;           // MANIFOLD_* bits: shapes whose corners are points; shape with which the normal rotates
 	Real gap;           // lower bound of the distance of the surfaces, m, if there are no points
 } Manifold;
 
-typedef struct // separation up to which points count, in the frame of shape a
+typedef struct // maximum separation of contact points, which depends on the normal (reach_along)
 {
-	Real within; // m: separation without any approach
-	Vec near;    // m: displacement of shape b relative to shape a in the rest of the step
-	Real swing;  // m: largest additional displacement of a point of shape b
+	Real within; // m: maximum separation if the shapes do not approach each other
+	Vec near;    // m: displacement of shape b, in the frame of shape a, in the rest of the step
+	Real swing;  // m: upper bound of the additional displacement of a point of shape b
 } Reach;
 
 INLINE Reach reach_of(Real within)
@@ -55,8 +55,8 @@ INLINE Reach reach_of(Real within)
 	return r;
 }
 
-// Returns the separation up to which points count along a normal from shape a to b: r.within, plus the largest possible
-// approach in the rest of the step.
+// Returns the maximum separation of contact points along a normal from shape a to shape b: r.within, plus the largest
+// possible approach in the rest of the step.
 INLINE Real reach_along(Reach r, Vec normal) { return r.within + maximum(r.swing - vec_dot(normal, r.near), 0.0f); }
 
 INLINE Manifold no_manifold(void)
@@ -71,8 +71,8 @@ INLINE Manifold no_manifold(void)
 	return m;
 }
 
-// Adds the point in the middle between the two surfaces. `from`: point of the core of shape a; height, m: distance from
-// there to the point of the other core. Adds no point whose separation is larger than `within`.
+// Adds the point in the middle between the two surfaces, unless their separation is larger than `within`, m. `from`:
+// point of the core of shape a; height, m: distance from this point to the core of shape b along the normal.
 INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature, Real within)
 {
 	Real separation = height - radius_a - radius_b;
@@ -131,7 +131,7 @@ INLINE Reference reference_of(const GLOBAL Attribute* a, int i)
 }
 
 // Returns the incident edge: of the two edges at shape b's deepest corner, the one that faces the reference edge more.
-// Its direction is opposite to that of the reference edge. *facing: product of the two normals, -1 for parallel edges.
+// It leads against the direction of the reference edge. *facing: product of both normals, -1 for parallel edges.
 INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference* r, Frame f, Real* facing)
 {
 	int j = corner, before = j > 0 ? j - 1 : b->count - 1;
@@ -155,7 +155,7 @@ INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference
 	return incident;
 }
 
-// Returns a manifold of at most one point, in the middle between the surfaces at the nearest points of the two edges.
+// Returns a manifold of at most one point, in the middle between the surfaces, at the nearest points of both edges.
 INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, const Reference* r,
                                  Edge incident, Real separation, Reach reach)
 {
@@ -168,7 +168,7 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	Nearest n = nearest_points(reference, incident);
 	Real distance = root(n.square);
 
-	// if two thin cores are on one line, the normals of their edges do not separate them
+	// two thin cores on one line may be apart although no normal of their edges separates them
 	int thin = a->count < 3 && b->count < 3;
 	int apart = separation > 0.0f || (thin && distance + separation > NEAREST_TOLERANCE);
 	Manifold m = no_manifold();
@@ -190,7 +190,7 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	return m;
 }
 
-// Returns the manifold of shape b and shape a, which has the reference edge. separation, m: the largest of all edges.
+// Returns the manifold of two shapes. axis: reference edge, in shape a. separation, m: largest along any edge's normal.
 INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
                               Reach reach)
 {

@@ -10,14 +10,14 @@ typedef struct // edge of a core; start and end as coordinates along the referen
 	int start_feature, end_feature, feature;
 } Edge;
 
-typedef struct // nearest points of two edges
+typedef struct // nearest points of two edges: `from` is on the first edge, `to` on the second
 {
 	Vec from, to;
 	Real square; // square of the distance of the two points, m^2
 	int from_feature, to_feature;
 } Nearest;
 
-// Returns the point of edge a that is nearest to a corner.
+// Returns a corner as `to`, and as `from` the point of edge a that is nearest to it.
 INLINE Nearest nearest_to_corner(Edge a, Vec corner, int feature)
 {
 	Vec direction = vec_sub(a.end, a.start);

@@ -13,7 +13,7 @@
 
 #define POSE_EDGE 1.0e8f // m: largest coordinate, at which bodies stop; every product of two lengths up to it is finite
 
-// Returns a + b, clamped to the world. *lack: rounding error of the sum; 0 if the sum is clamped.
+// Returns a + b, limited to POSE_EDGE. *lack: exact sum minus the rounded sum; 0 if the sum is limited.
 INLINE float pose_sum(float a, float b, float* lack)
 {
 	float sum = a + b, back = sum - a;

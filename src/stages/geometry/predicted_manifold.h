@@ -8,7 +8,7 @@
 // through the other one, because a corner turns the normal by a right angle at most.
 #define PAST_THROUGH (-0.5f)
 
-// values of Prediction.ahead: manifold at the poses at which the pair meets; manifold at other future poses
+// values of Prediction.ahead for future poses: those at which the pair meets; other ones
 #define PREDICT_MEETS 1
 #define PREDICT_LATER 2
 
@@ -20,16 +20,17 @@ typedef struct // manifold, and the poses for which it was computed
 	int ahead; // 0 for the current poses, or PREDICT_*
 } Prediction;
 
-// m: a manifold counts as exact if the later separation exceeds its prediction by less than this. An approach of less
-// than SWEEP_REST is ignored: a wrong push of that size is as harmless as the lack of such a push.
+// m: the current manifold counts as exact if a later separation exceeds its prediction by less than this. An
+// approach of less than SWEEP_REST is ignored: a wrong push of that size is as harmless as the lack of such a push.
 #define PAST_ERROR (0.002f * LINEAR_SLOP)
 
-// m: minimum motion of a pair until the time for which a corner is tested: that of the last relax pass (sweep_end) or,
-// for a slow pair, a later time. With 0, a body that sags at a seam would appear to meet the side of the next floor.
+// m: minimum motion of a pair until the time at which predict_past tests for a corner. This is the time of the last
+// relax pass (sweep_end) or, for a slow pair, a later one. With 0, a body that sags at a seam would appear to meet the
+// side of the next floor.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
-// Returns the manifold at a later time if its separation exceeds the predicted one by at least PAST_ERROR; else returns
-// `now`. said, m: separation at that time, as predicted from `now`.
+// Returns the manifold at a later time if its separation exceeds the predicted one by at least PAST_ERROR, and no shape
+// has gone through the other; else returns `now`. said, m: separation at that time, as predicted from `now`.
 RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now, Real time,
                               Real said)
 {
@@ -39,7 +40,7 @@ RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closin
 	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
 		return now;
 	later.axes = vec_turn(turn, now.axes);
-	// a thin shape that went through has the opposite normal, and would be pushed out on the wrong side
+	// a thin shape that went through the other shape has the opposite normal, and would be pushed out on the wrong side
 	if (vec_dot(vec_turn(later.axes, later.m.normal), vec_turn(now.axes, now.m.normal)) < PAST_THROUGH)
 		return now;
 	later.ahead = PREDICT_LATER;
@@ -60,7 +61,7 @@ INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closi
 	return said > -PAST_ERROR ? now : predict_later(p, a, b, closing, now, time, said);
 }
 
-// Returns whether a pair is too far apart to meet in the step, by circles around the shapes, enlarged for rounding.
+// Returns whether a pair cannot meet in the step: circles around both shapes, enlarged by the motion, are apart.
 INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Closing closing, Vec apart)
 {
 	Real most = closing.within + closing.swing + root(vec_dot(closing.near, closing.near));
@@ -72,7 +73,7 @@ INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Cl
 #define OVER_SAME  0.9999f // cosine of the angle between normals that differ only by rounding
 
 // Returns whether shape a is round and shape b is a segment that cannot move, so that predict_end may replace the
-// manifold at a corner. Otherwise the end of the next segment would act on a loaded wheel like a step
+// manifold at a corner. Without the replacement, the end of the next segment would act on a loaded wheel like a step
 // (docs/manifolds.md, Seams). On a segment that moves, arms other than those at the impact would change angular
 // momentum.
 INLINE int predict_rolls(const Pools* p, WorldShape a, WorldShape b)
@@ -94,10 +95,10 @@ INLINE int predict_rolled(const Pools* p, WorldShape a, const Closing* closing, 
 	return deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME;
 }
 
-// Returns a later manifold or, if it has no points, `now`. has_rolling 1: a round shape meets a corner; the time is
-// that of the last relax pass; `now` is returned unless the shape will roll over the corner. has_rolling 0: a surface
-// is a belt; the time is the end of the step, because arms that lag behind the motion of a body on two belts would add
-// energy (docs/hubs.md, Belts). Both cases share one call of collide, because each call uses registers of a GPU.
+// Returns the manifold at a later time or, if it has no points, `now`. If `has_rolling` is 1, a round shape meets a
+// corner: the time is that of the last relax pass; returns `now` unless the shape will roll over the corner. If it is
+// 0, a surface is a belt: the time is the end of the step, because arms that lag behind a body on two belts would add
+// energy (docs/hubs.md, Belts). Both cases share one call of collide, because a call uses registers of a GPU.
 RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now,
                             int has_rolling)
 {

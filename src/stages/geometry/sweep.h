@@ -12,8 +12,8 @@
 #include "constraints/sweep_closing.h"
 #include "stages/geometry/manifold.h"
 
-// Limit of iterations of conservative advancement. Of the fast pairs of the scene tumbler, 90 % need one, 1 % more than
-// five. A pair that spins by over a radian per step may need 15; with a limit of 12, some went through a wall.
+// Maximum number of rounds of conservative advancement. In the scene tumbler, 90 % of the fast pairs need one, and 1 %
+// need over five. A pair that spins by over a radian per step may need 15; with 12, some went through a wall.
 #define SWEEP_ROUNDS 20
 
 // m: overlap at which a pair counts as meeting. With 0, a body that slides over a seam between two floors would meet
@@ -46,13 +46,13 @@ INLINE_LONG Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, In
 	return closing;
 }
 
-// Returns the highest speed at which two points of the pair can approach, m per step. normal: from shape a to shape b.
+// m per step: Returns an upper bound of the speed at which two points of the pair approach. normal: from shape a to b.
 INLINE Real sweep_speed(Closing c, Vec normal, Real time)
 {
 	return c.swing - vec_dot(normal, vec_add(c.near, vec_scale(time, c.bend)));
 }
 
-// Returns the separation up to which points count at a time, in the frame of shape a. axes: rotation of shape a.
+// Returns the maximum separation of contact points at `time`, in the frame of shape a. axes: rotation of shape a.
 INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 {
 	Reach r = reach_of(c.within);

@@ -8,15 +8,15 @@
 #include "constraints/constraint_kinds.h"
 #include "constraints/sweep_closing.h"
 
-// cosine of 3.6 degrees: a manifold is kept until a collidable has rotated by more than this angle, or a point has
-// moved by more than narrow_phase_distance
+// cosine of 3.6 degrees: a manifold with points is kept until a collidable has rotated by more than this angle; each
+// manifold is kept only until a point has moved by narrow_phase_distance
 #define HOLD_COSINE 0.998f
 
-#define TURN_SHARE 0.3f // fraction of the motion limit up to which a pair that rotates together keeps its points
+#define TURN_SHARE 0.3f // fraction of narrow_phase_distance up to which a pair that rotates together keeps its points
 
-// Returns an upper bound of the distance that any point of shape b near shape a has moved since shape b had the pose
-// (position, rotation). All poses are in the frame of shape a. The bound is the motion of the point at the origin of
-// that frame, plus the reach of shape a times the rotation. A length is bounded by the sum of its components.
+// Returns an upper bound of the distance that any point of shape b within the reach of shape a has moved since shape b
+// had the pose (position, rotation). All poses are in the frame of shape a. The bound is the motion of the point at the
+// origin of that frame, plus the reach of shape a times the rotation. A length is bounded by the sum of its components.
 INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
 {
 	Vec turn = vec_turn_back(rotation, rotation_now);
@@ -24,7 +24,7 @@ INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec
 	return absolute(moved.x) + absolute(moved.y) + reach * (absolute(turn.y) + absolute(1.0f - turn.x));
 }
 
-// Returns the relative motion of the collidables of a pair. a, b: their rows of the pool world_shape.
+// Returns the relative motion of the collidables of a pair. a, b: the rows of shapes a and b in the pool world_shape.
 INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], const Real b[8])
 {
 	Int ia, ib;
@@ -70,15 +70,16 @@ INLINE void narrow_phase_keep_fetch(const Pools* p, int i, int live)
 
 typedef struct // LANES contacts, and the motion of their collidables since their manifolds were computed
 {
-	Real a[8], b[8];   // rows of the pool world_shape
-	Int far, on;       // masks: some collidable has COLLIDABLE_FAST; some has COLLIDABLE_MOVING, and there are points
+	Real a[8], b[8];   // rows of shapes a and b in the pool world_shape
+	Int far, on;       // masks: a collidable has COLLIDABLE_FAST; one has COLLIDABLE_MOVING, and there are points
 	Vec then_a;        // rotation of shape a when the manifold was computed
 	Real shift, limit; // m: motion since then; largest motion up to which the manifold is kept
 	Real room;         // factor of the pair's tolerances along its surfaces, and of its speculative distance
 } ManifoldReuse;
 
 // Returns the lanes whose manifold could be kept but is computed again, because the pair may meet, or moves too far,
-// within the step. Writes the new rotation of the other lanes whose pairs rotate together. wanders: lanes to test.
+// within the step. In other lanes whose pairs rotate together, stores the current rotation of shape a in the manifold.
+// wanders: lanes to test.
 INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, const ManifoldReuse* c)
 {
 	Real at[8];

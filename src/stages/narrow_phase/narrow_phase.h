@@ -8,15 +8,15 @@
 #include "stages/geometry/predicted_manifold.h"
 #include "stages/narrow_phase/manifold_reuse.h"
 
-#define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: maximum distance of an old point with another feature
+#define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: maximum distance at which points of different features match
 
-// m: a pair without points is tested again when a point has moved by more than this plus the part of the pair's
-// distance beyond the speculative distance. LINEAR_SLOP is a quarter of it, so that no contact is missed.
+// m: a pair without points is tested again when a point has moved by more than this plus the amount by which the pair's
+// gap exceeds the speculative distance. It is a quarter of the speculative distance, so that no contact is missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
-// Limits of the motion of a point up to which a manifold is kept. HOLD_DISTANCE, m; half of it for a manifold with one
-// sharp point, so that no second point is missed. HOLD_SHARE: fraction of the smaller collidable's reach. With smaller
-// limits heaps shake: each new manifold pushes a small body that carries many in another direction.
+// Limits of the motion of a point up to which a manifold is kept. HOLD_DISTANCE, m: halved for a single point that does
+// not roll, so that no second point is missed. HOLD_SHARE: fraction of the smaller collidable's reach. With smaller
+// limits heaps shake: each new manifold pushes a small body that carries many others in another direction.
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
 
@@ -46,7 +46,7 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 	return best;
 }
 
-// Returns the motion up to which a manifold is kept, m.
+// m: Returns the motion up to which a manifold is kept. gap, room, within: Manifold.gap, sweep_room, sweep_within.
 INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags, float gap,
                                    float room, float within)
 {
@@ -72,8 +72,8 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	return 1;
 }
 
-#define PLACE_APART CENTERS_APART           // m: between centers of mass nearer than this, no direction exists
-#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest component of the offset (narrow_phase_place) of such a body
+#define PLACE_APART CENTERS_APART           // m: bodies whose centers of mass are nearer than this are at one place
+#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: maximum component of the offset of a body (narrow_phase_place)
 
 // m: Returns a pseudo-random offset for a body. Neighbors in a pool, often created together, get unrelated offsets.
 INLINE Vec narrow_phase_place(int body)
@@ -86,8 +86,8 @@ INLINE Vec narrow_phase_place(int body)
 	return vec(scale * (float)((int)(x & 65535u) - 32768), scale * (float)((int)(x >> 16) - 32768));
 }
 
-// Returns shape b, displaced if both bodies can move and are at one place. If all such pairs had one direction, bodies
-// created at a point would leave it in a row, each pair at contact_push_speed: the first of 500 circles at 205 m/s.
+// Returns shape b, displaced if both bodies can move and are at one place. If all such pairs had one normal, bodies
+// created at a point would leave it in a row, and the speeds of pairs would add up: to 205 m/s for 500 circles.
 INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 {
 	float x = (b.x + b.center_x) - (a.x + a.center_x), y = (b.y + b.center_y) - (a.y + a.center_y);
@@ -100,9 +100,9 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 	return b;
 }
 
-// Returns the manifold of a pair and the poses for which it was computed. answers: 0 if the contact only detects. far:
-// 1 if the pair may approach by more than the speculative distance. belt: not 0 if a surface has a tangent speed.
-// within, m: largest separation of points. *has_rolling: receives MANIFOLD_* bits if the manifold is a rolling one.
+// Returns the manifold of a pair and the poses for which it was computed. answers: 0 if the contact gets no impulses.
+// far: not 0 if a collidable is fast. belt: not 0 if a surface has a tangent speed. within, m: maximum separation of
+// points. *has_rolling: receives MANIFOLD_* bits if the points follow the corners, else remains unchanged.
 INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt,
                                     int moved, float within, Word* has_rolling)
 {
@@ -143,7 +143,7 @@ INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, 
 	return predict_end(p, a, b, closing, found_at, meets);
 }
 
-// Transfers to each new point the impulses of its matching old point. Returns the features of the new points.
+// Transfers to each new point the impulses of its old point, or 0 without one. Returns the features of the new points.
 INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifold* m)
 {
 	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_place[i];

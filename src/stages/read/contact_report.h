@@ -34,7 +34,7 @@ INLINE void contact_report_write(const Pools* p, int i, int row)
 	p->contact_report[row] = listed;
 }
 
-// Item: a contact slot, or the end of the scan. Marks the touching contacts of the body in `argument`, for the scan.
+// Item: a contact slot, or the end of the scan. Marks the touching contacts of a body for the scan. argument: the body.
 KERNEL(contact_mark)
 {
 	int wanted = 0;

@@ -12,8 +12,8 @@ INLINE int joint_report_place(const Pools* p, int i)
 }
 
 // Computes force (N) and torque (N m) of a joint from its impulses in the last substep. A joint without a constraint
-// keeps force and torque 0. axis: direction of the first coordinate. off: deviation of the coordinates from the
-// targets of the locks. bend, 1/m: curvature of a path.
+// keeps force and torque 0. axis: direction of the first coordinate. off: deviation of the first two coordinates from
+// the targets of their locks. bend, 1/m: curvature of a path.
 INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend,
                                GLOBAL JointState* state)
 {
@@ -37,7 +37,8 @@ INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec o
 	state->torque = rate * (coupling_turns(&u) ? sum[0] : sum[2]);
 }
 
-// Computes the speed of one side's measure of a coupling. Returns the direction of a force on the body of this side.
+// Computes the speed, m/s or rad/s, of the measure on one side of a coupling. Returns the direction of this measure,
+// along which a force acts on the body; (0, 0) for an angle.
 INLINE Vec joint_report_side(const Pools* p, int i, int side, const CouplingMeasure* m, float* speed)
 {
 	BodyState now = p->body[side ? p->joint_data[i].body_b : p->joint_data[i].body_a];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // moved_bodies.h -- lists the bodies whose poses differ from those last reported to the user. No step reads this list.
 //
-// Poses are those of origins, so neither a new center of mass nor a new rounding error (pool pose_low) is a motion.
+// The poses are those of origins, so a new center of mass or rounding error (pool pose_low) does not count as a motion.
 #ifndef MOVED_BODIES_H
 #define MOVED_BODIES_H
 #include "dialect/vec.h"

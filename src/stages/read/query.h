@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // query.h -- executes the user's queries, one per item: rays, moving or resting shapes, and the nearest collidable.
 //
-// docs/queries.md defines the results. Of two equal results, the one with the lower index is returned.
+// docs/queries.md defines the results. Of two equally near collidables, the one with the lower index is returned.
 #ifndef QUERY_H
 #define QUERY_H
 #include "stages/geometry/convex_sum.h"
@@ -10,21 +10,21 @@
 
 typedef struct // query in world coordinates
 {
-	Vec start, turn, path; // motion of the shape's origin: start, m; rotation, cos and sin; path, m
+	Vec start, turn, path; // position of the shape's origin, m; rotation (cos, sin); path of the origin, m
 	float radius;          // m: radius of a ray
 	int ignored;           // body that the query ignores, 0 for no body
-	Float4 box;            // box at the start
+	Float4 box;            // box of the shape at the start
 	Float4 sides;          // x and y of the leading sides of the box (in the direction of the path), then of the others
 	Float2 inverse;        // 1/m: inverse of each component of the path
 } WorldQuery;
 
-// m: a component of a path smaller than QUERY_STILL counts as 0; its inverse is then QUERY_INVERSE, 1/m
+// m: a component of a path with a magnitude below QUERY_STILL counts as 0; its inverse is QUERY_INVERSE, 1/m
 #define QUERY_STILL   1.0e-30f
 #define QUERY_INVERSE 1.0e30f
 
 INLINE float query_inverse(float path) { return absolute(path) < QUERY_STILL ? QUERY_INVERSE : 1.0f / path; }
 
-// Returns the body that a query ignores, 0 for none or for a destroyed body whose slot another body may have.
+// Returns the body that a query ignores; 0 if there is none, or if it was destroyed, as another body may have its slot.
 INLINE int query_ignored(const Pools* p, const Query* query)
 {
 	int body = query->ignored, there = body > 0 && body < p->query_plan->bodies;
@@ -86,8 +86,8 @@ INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec norma
 	found->normal_y = normal.y;
 }
 
-// Tests point q, which moves by a path, against core c: the core of the leaf's shape, or the sum of both shapes, in the
-// frame of the leaf. Finds the first contact or, with QUERY_NEAREST, the nearest point. Returns whether there is one.
+// Tests point q, which moves by a path, against c: the shape of a leaf, or the sum of both shapes, in the frame of the
+// leaf. Finds the first contact or, with QUERY_NEAREST, the nearest point. Returns whether there is one.
 INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 {
 	if (form != QUERY_NEAREST)
@@ -168,8 +168,8 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 	return 1;
 }
 
-// Returns the fraction of a result or, with QUERY_NEAREST, the square of its distance. The value is raised to `apart`,
-// the value for the leaf's box, because no result is nearer than its box. Except with QUERY_NEAREST, also raises
+// Returns the fraction of a result or, with QUERY_NEAREST, its squared distance; at least `apart`, which is the same
+// value for the leaf's box, because no result is nearer than its box. Except with QUERY_NEAREST, also raises
 // found->fraction to `apart`.
 INLINE float query_measure(QueryResult* found, int form, float apart)
 {
@@ -182,7 +182,7 @@ INLINE float query_measure(QueryResult* found, int form, float apart)
 	return maximum(separation * separation, apart);
 }
 
-// Returns whether result a precedes result b, the best one so far, if both have the same measure.
+// Returns whether result a precedes b, the best result so far, if query_measure is the same for both.
 INLINE int query_before(QueryResult a, QueryResult b)
 {
 	if (!(b.marks & FOUND_HIT) || a.fraction < b.fraction)
@@ -191,11 +191,12 @@ INLINE int query_before(QueryResult a, QueryResult b)
 }
 
 // Number of results that a CPU worker collects before it adds them to the list. With one result at a time, 16 workers
-// take ten times as long, because they wait for each other at the counter. A GPU combines the additions of neighbors.
+// take ten times as long, because they wait for each other at the counter. A GPU combines its additions.
 #define QUERY_HELD (FETCHES ? 16 : 1)
 
-// Adds the number of results of query i to the counter, and the results to the list while it has room. If the counter
-// exceeds QUERY_MOST, adds nothing and returns 0: the list is useless then, and the counter must not overflow.
+// Adds the number of results of query i to the counter, and the results to the list while it has room. Returns 1. If
+// the counter exceeds QUERY_MOST, adds nothing and returns 0: the list is useless then, and the counter must not
+// overflow.
 INLINE int query_append(const Pools* p, int i, const QueryResult* held, int count)
 {
 	GLOBAL QueryPlan* plan = p->query_plan;
@@ -215,7 +216,7 @@ INLINE int query_append(const Pools* p, int i, const QueryResult* held, int coun
 
 #define QUERY_FAR 1.0e7f // m: upper bound of the sum of the absolute components of any query that the host accepts
 
-// Returns whether a query is finite. The host makes the same test, but while the device already works, and does not
+// Returns whether a query is finite. The host tests this too, but while the device already computes, and it does not
 // test queries in shared memory. NaN would hit the empty boxes that pad a node, which have no children.
 INLINE int query_finite(Query query)
 {
@@ -295,7 +296,7 @@ KERNEL(query_ray) { query_run(p, i, QUERY_RAYS, p->argument); }
 KERNEL(query_shape) { query_run(p, i, QUERY_SHAPES, p->argument); }
 KERNEL(query_nearest) { query_run(p, i, QUERY_NEAREST, QUERY_CLOSEST); }
 
-// Writes the keys of the next sort of all results. argument: QUERY_BY_*. The lower half of a key is the result's index.
+// Writes key i of a sort of all results. Upper half: value to sort by (argument: QUERY_BY_*). Lower half: result index.
 KERNEL(query_key)
 {
 	Word place = p->argument == QUERY_BY_COLLIDABLE ? (Word)i : (Word)p->key[i];

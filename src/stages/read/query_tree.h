@@ -10,7 +10,7 @@
 #include "stages/tree/tree.h"
 
 #define QUERY_MARGIN  LINEAR_SLOP // m: margin of a box, larger than any rounding error along the path of a query
-#define QUERY_SPACING 4.0e-7f     // relative spacing of floats
+#define QUERY_SPACING 4.0e-7f     // margin for rounding, as a fraction of the coordinates
 
 // Returns the box around the motion of a collidable from the start of the step to a pose. A rotation moves points off
 // the straight line by less than their distance from the center of mass times 1 minus the cosine of the rotation.
@@ -24,8 +24,8 @@ INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
 	                 world_box(start, shape, QUERY_MARGIN + QUERY_SPACING * out + bulge));
 }
 
-// Returns whether a collidable at pose `at` has not left its box of the step. That box is larger by half the
-// speculative distance than the collidable at the start of the step. A new collidable has an empty box.
+// Returns whether a collidable at pose `at` certainly is in its box of the step. That box is larger by half the
+// speculative distance than the collidable at the start of the step. It is empty for a new collidable.
 INLINE int query_holds(const Pools* p, int k, WorldShape at)
 {
 	WorldShape start = p->world_shape[k];
@@ -83,8 +83,8 @@ INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, QueryLeaf
 	return (plan->mask & filter.category) && (plan->category & filter.mask);
 }
 
-// Capacity of the stack of groups of eight siblings that are still to be visited. The nearest group is on top. Each
-// visit adds up to eight groups.
+// Capacity of the stack of groups of eight siblings that remain to be visited. The nearest group is on top. Each visit
+// removes one group and adds up to eight.
 #define QUERY_GROUPS (2 + (ARITY - 1) * MAX_LEVELS + 6)
 
 // Returns the code of a group: tree in bit 31, level from bit 27 on, number below.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // sensor.h -- finds the collidables that overlapped a sensor at some time of the step.
 //
-// A visit is computed for a motion at constant speed between the poses at the start and the end of the step. With
-// velocities, a body would also be found behind a wall from which it bounces (docs/events.md).
+// A visit is computed for a motion at constant speed between the poses at the start and the end of the step. With the
+// velocities instead, a body would also be found behind a wall from which it bounces (docs/events.md).
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement.
@@ -15,11 +15,11 @@
 #include "stages/rules/apart.h"
 
 #define SENSOR_DEPTH (0.05f * LINEAR_SLOP) // m: a smaller overlap that ends within the step does not count
-// rounds of conservative advancement. In the second half of the rounds, each advances by at least an equal part of the
-// rest of the step; beside something that rotates fast, a visit that is shorter than this part may be missed
+// maximum number of rounds of conservative advancement. In the second half, each round advances by at least its
+// share of the rest of the step; beside something that rotates fast, a visit shorter than this share may be missed
 #define SENSOR_ROUNDS   64
 #define SENSOR_HALVINGS 10    // rounds that halve the interval in which a visit began
-#define SENSOR_ROUNDING 1e-6f // fraction of the sizes of two shapes, more than rounding errors of positions
+#define SENSOR_ROUNDING 1e-6f // bound of rounding errors of positions, as a fraction of the reaches of two shapes
 #define SENSOR_NEVER    2.0f  // result for pairs that do not overlap: a time after the end of the step
 
 INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
@@ -34,7 +34,7 @@ INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 }
 
 // Returns the separation of two collidables. f: pose of shape b in the frame of shape a. *normal: toward b, in this
-// frame. If this function were inlined, gcc would not inline the narrow phase: storm took 1.2 % more instructions.
+// frame. If this function were inlined, gcc would not inline the narrow phase (1.2 % more instructions in storm).
 RARE float sensor_apart(const Pools* p, WorldShape a, WorldShape b, Frame f, Vec* normal)
 {
 	const GLOBAL Attribute *shape_a = p->attribute + a.attribute, *shape_b = p->attribute + b.attribute;
@@ -96,8 +96,8 @@ INLINE float sensor_speed(SensorPace pace, Vec normal)
 	return minimum(pace.turns - vec_dot(normal, pace.path), pace.along);
 }
 
-// Returns the time at which two moving collidables first overlap, SENSOR_NEVER if they do not. An advance ends at an
-// overlap of SENSOR_DEPTH. A slow pair reaches this overlap long after it meets, so the time is interpolated to gap 0.
+// Returns the time at which two moving collidables first overlap, SENSOR_NEVER if they do not. Each advance aims at an
+// overlap of SENSOR_DEPTH. A slow pair reaches it long after it meets, so the time of separation 0 is interpolated.
 RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closing)
 {
 	SensorPace pace = sensor_pace(closing);
@@ -136,7 +136,8 @@ RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closi
 	return met;
 }
 
-// Returns whether a leaf visits a sensor, and computes the visit. a: pose of the sensor at the end of the step.
+// Returns whether a leaf visits a sensor. Sets visit->fraction and visit->x to the times at which the visit begins and
+// ends; x is 1 if it lasts. a: pose of the sensor at the end of the step.
 INLINE int sensor_visit(const Pools* p, int sensor, WorldShape a, QueryLeaf seen, QueryResult* visit)
 {
 	WorldShape b = collidable_place(p, seen.collidable), start_a = p->world_shape[sensor],
@@ -230,7 +231,7 @@ INLINE void sensor_tree(const Pools* p, const SensorSearch* s, int t)
 }
 
 // Item: part i % argument of the search for the visits of the sensor in query i / argument. argument: number of parts.
-// Each part searches some of the leaves, because a sensor as large as the world would keep one work-item busy.
+// Each part searches some of the leaves; otherwise a sensor as large as the world would keep one work-item busy.
 KERNEL(sensor_overlap)
 {
 	SensorSearch s;

@@ -14,7 +14,7 @@
 #define APART_KIND     1                                        // kinds that do not collide (kinds_meet)
 #define APART_BODY     2                                        // both belong to one body
 #define APART_FILTER   4                                        // categories and masks, or a group
-#define APART_DETECTED 8                                        // one has no body: the contact only detects
+#define APART_DETECTED 8                                        // one has no body: the contact gets no impulses
 #define APART_JOINED   16                                       // a joint, a filter joint or an exclusion by the user
 #define APART_MATERIAL 32                                       // the materials of the pair ignore each other
 #define APART_REFUSED  64                                       // contact approval was refused
@@ -23,9 +23,9 @@
 #define APART_ALL      (APART_LASTING | APART_JOINED | APART_MATERIAL | APART_REFUSED) // all reasons
 #define APART_SEEN     (APART_BODY | APART_FILTER)                                     // reasons for no sensor overlap
 
-// Returns a pair in order: a static or kinematic collidable second; else the smaller one first; of two equal ones, that
-// with the lower index. Manifolds and arms are precise near the center of the first collidable: if a floor were first,
-// arms of a circle far from the floor's center would be off by 1e-7 of the distance, and the circle would roll.
+// Returns a pair in order: a static or kinematic collidable second; otherwise the smaller one first, and of equally
+// large ones that with the lower index. Manifolds and arms are precise near the center of the first one: if a floor
+// were first, arms of a circle far from the floor's center would be off by 1e-7 of the distance: it would roll.
 INLINE Int2 apart_pair(const Pools* p, int i, int j)
 {
 	int a = i < j ? i : j, b = i < j ? j : i;
@@ -65,8 +65,9 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 // Returns the key, in the list `refused`, of a contact that a one-way platform lets through: its pair in reverse order.
 INLINE Word64 apart_passes_key(const Pools* p, Int2 pair) { return apart_key(p, make_int2(pair.y, pair.x)); }
 
-// Returns whether platform a lets collidable b through, for continuous collision. It holds b if the boxes overlap and
-// `refused` lacks their apart_passes_key, or if b is or gets above it. way, swing: as in one_way_place.
+// Returns whether a is a one-way platform that lets collidable b through, for continuous collision. Platform a holds b
+// if their boxes overlap and `refused` lacks the apart_passes_key of the pair, or if b is above a or gets there in the
+// step. way, swing: as in one_way_place.
 RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 {
 	if (!rule_platform(p, a, b))

@@ -3,8 +3,8 @@
 //
 // docs/rules.md, One-way platforms, has the reasons. A visitor becomes held when it is above the platform: none of its
 // points is below an upper side by more than a small slop, and it is over this side or gets there in the step. It stays
-// held while it touches the platform, and while it is neither below nor beside it: a tilted plank may reach below the
-// platform before the two touch.
+// held while it touches the platform; without a touch, until it is below or beside the platform, because a tilted plank
+// may reach below the platform before the two touch.
 //
 // This work is based on:
 // Erin Catto, Box2D's sample Platform; Rapier's update_as_oneway_platform: a state for each contact.
@@ -15,7 +15,7 @@
 // ONE_WAY_SLOP, m: depth up to which a visitor counts as above. It exceeds a fall in a step of 1/30 s, and the depth to
 // which loads press bodies into a platform. The others are fractions of the visitor's thickness. ONE_WAY_SHARE:
 // limit of the slop, so that a thin visitor from below does not count as above when it touches. ONE_WAY_FRESH: slop of
-// a pair that was far apart in the last step, because continuous collision stops a visitor at CONTINUOUS_DEPTH.
+// a pair whose boxes were apart in the last step: continuous collision stops a visitor at CONTINUOUS_DEPTH.
 #define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
 #define ONE_WAY_SHARE 0.5f
 #define ONE_WAY_FRESH 0.3f
@@ -67,16 +67,18 @@ INLINE int one_way_meet(OneWaySpan a, OneWaySpan b) { return a.left <= b.right &
 typedef struct // depth up to which a visitor counts as above, m
 {
 	float slop; // value for the current poses
-	float late; // value for the poses at which the visitor gets over the platform in the step
+	float late; // value for later poses of the step, at which the visitor comes down to the side
 } OneWayDepth;
 
-// Returns the height of a visitor relative to a side. n: normal of the side. way, m: relative motion in the step.
+// Returns the height (ONE_WAY_*) of a visitor relative to a side. n: normal of the side. way, m: motion of the visitor
+// relative to the side in the step.
 RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWayDepth depth)
 {
 	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
 	if (!(gap >= -depth.slop))
 		return ONE_WAY_LOW;
-	// a visitor higher than the slop is tested at the place where it comes down to the side
+	// a visitor that is above the side by more than the slop, and reaches its height in this step, is tested where it
+	// is from then until its depth is `late`; all others are tested over the whole step
 	if (gap > depth.slop && closes > gap)
 	{
 		from = gap / closes;
@@ -87,7 +89,7 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// Returns whether n is the normal of an upper side, but not `up`: the test of the whole width covers the top.
+// Returns whether n is the normal of an upper side, but not `up`: the test of the whole platform covers that side.
 INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
 
 typedef struct // extents of a platform and a visitor along the direction `up`, in the frame of the platform
@@ -130,8 +132,8 @@ INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL
 	return most;
 }
 
-// Returns the depth up to which visitor b counts as above. A load may press b into the platforms that hold it; the next
-// platform accepts b at that depth, plus the depth that continuous collision allows for a visitor from afar.
+// Returns the depth up to which visitor b counts as above. A load may press b into the platforms that hold it, so the
+// next platform accepts b at that depth, plus the depth that continuous collision allows for a visitor from afar.
 INLINE OneWayDepth one_way_depth(const Pools* p, WorldShape b, int known, float swing)
 {
 	float thickness = p->thickness[b.attribute], sunk = bits_float(p->sunk[b.body]);
@@ -161,7 +163,7 @@ INLINE Vec one_way_up(const Pools* p, WorldShape a)
 }
 
 // Returns the current position of visitor b relative to platform a. way, m: displacement of b relative to a in the
-// step, world axes. swing, m: largest additional displacement of a point of b. known: ONE_WAY_* of the contact.
+// step, in the world. swing, m: largest additional displacement of a point of b. known: state before the test.
 RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -177,7 +179,7 @@ RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec w
 	return place;
 }
 
-// m: Returns the depth of visitor b in platform a, which held it, or 0 if b has left. The depth is measured from the
+// m: Returns the depth of visitor b in platform a, by which b was held; 0 if b has left. The depth is measured from the
 // upper side with the least depth. It is at most the thickness of b, because the middle of b is outside the platform.
 RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 {

@@ -20,7 +20,7 @@ RARE MaterialPair rule_materials(const Pools* p, int i, int j)
 
 INLINE int rule_ignores(MaterialPair pair) { return pair.sets & MATERIAL_IGNORED; }
 
-// Returns the surface of a contact (contact_surface) with the values that its materials override.
+// Returns the surface of a contact (contact_surface), with the values that the pair of materials overrides replaced.
 INLINE Float4 rule_surface(MaterialPair pair, Float4 surface)
 {
 	float friction = pair.friction < MOST_FRICTION ? pair.friction : MOST_FRICTION;
@@ -53,8 +53,8 @@ INLINE Vec rule_way(const Pools* p, int a, int b)
 	return vec_sub(vec_sub(second.path, first.path), vec_spin(first.turn, arm));
 }
 
-// Returns CONTACT_PASSES if a platform lets a contact through, otherwise 0. Adds CONTACT_HIGH if the visitor is above
-// the height of the platform, but not over it, so that the platform may hold it later like a new visitor.
+// Returns CONTACT_PASSES if a platform lets the other collidable through, otherwise 0. Adds CONTACT_HIGH if the latter
+// is above the height of the platform, but not over it, so that the platform may hold it later like a new visitor.
 RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 {
 	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED | CONTACT_HIGH) ? ONE_WAY_NEW
@@ -87,12 +87,12 @@ INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 		Float4 normal = p->contact_manifold[slot].normal;
 		depth = maximum(maximum(depth, -minimum(normal.z, normal.w)), ONE_WAY_TOUCH);
 	}
-	// non-negative floats are ordered like their bits
+	// bits of non-negative floats, as integers, have the same order as the floats
 	if (depth > 0.0f)
 		atomic_max_int(&p->sunk[p->collidable_body[visitor]], float_bits(depth));
 }
 
-// Raises the depth of visitor b if collidable a is a platform. found: 1 if the current depth is already included.
+// Raises the depth of visitor b if a is a platform for b. found: 1 if the depth at the current poses is included.
 RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
 {
 	if (rule_platform(p, a, b))
@@ -106,7 +106,7 @@ INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 	if (pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_PENDING))
 		return;
 	int by_a = one_way_is(p, pair.x), by_b = one_way_is(p, pair.y);
-	// a destroyed collidable may have any attribute
+	// box_parted: a destroyed collidable may have any attribute, so one_way_is may be wrong for it
 	if (!(by_a || by_b) || box_parted(p, pair))
 		return;
 	if (by_a)
@@ -117,8 +117,8 @@ INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 		p->contact_flags[i] = flags | CONTACT_SUNK;
 }
 
-// Raises the depths for contact i by its last manifold and the current poses, before contact_rule. approval_request
-// repeats this with the new manifold, for the kernel continuous.
+// Raises the depths (sunk_find) from the last manifold of contact i and the current poses, before contact_rule.
+// approval_request repeats this with the new manifold, for the kernel continuous.
 KERNEL(contact_sunk)
 {
 	if (i < p->counters->live)

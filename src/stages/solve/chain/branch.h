@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // branch.h -- runs a pass over a branch: solves joints of a tree of bodies exactly, from its ends to its root and back.
 //
-// A pass from joint to joint over a light body that carries heavy ones leaves an error that travels around the light
-// body, in the order of the joints. Warm start extrapolates this error, and bias integrates it: wheels with heavy
-// spokes shook themselves apart. So the host finds such trees (src/world/chain/chains.c). Like chains, they have no
+// A pass that solves joint after joint around a light body that carries heavy ones leaves an error that travels around
+// the light body. Warm start extrapolates this error, and bias integrates it: wheels with heavy spokes shook themselves
+// apart. So the host finds such trees (src/world/chain/branches.c). Like the joints of chains, their joints have no
 // color and are solved after the colors.
 //
 // Each node is a body with its joint toward the root. Let u be the change of the velocity of the parent body, w that of
@@ -23,15 +23,15 @@
 #define BRANCH_H
 #include "stages/solve/chain/branch_drive.h"
 
-// Fraction of the yield of the body toward the root, added to the yield of the joint if the other body cannot rotate.
-// It multiplies changes of impulses only.
+// Fraction of the yield of the parent body that is added to the yield of a joint if the node's body cannot rotate. It
+// multiplies only changes of impulses, so it makes no joint softer.
 #define BRANCH_GIVE   1.0e-3f
 #define BRANCH_TRIALS 4 // maximum number of times that a pass is repeated because motors or limits reached their bounds
 
 typedef struct
 {
 	Chain chain; // joints of the branch, in one row
-	int nodes;   // index of node 0 in the pool
+	int nodes;   // index of node 0 in the pool branch
 } Branch;
 
 INLINE Branch branch_number(const Pools* p, int i)
@@ -49,13 +49,13 @@ INLINE Branch branch_number(const Pools* p, int i)
 
 #define BRANCH_BELOW(c, node) for (int c = (node).first; c < (node).first + (node).count; ++c)
 
-// Loads the joint of a node with its bodies; it is inert if the node is a root without a joint, or the joint broke.
+// Loads the joint of a node with its bodies. A joint that broke, or is missing because the node is a root, is inert.
 INLINE void branch_load(const Pools* p, const Branch* branch, int k, ChainLink* link)
 {
 	chain_load_posed(p, branch->chain.begin + branch->chain.at.first + k, link);
 }
 
-// Stores the impulses of a joint and the velocity changes of its bodies. branch_gather adds the changes of each body.
+// Stores the impulses of a joint and the velocity changes of its bodies. branch_gather applies these changes.
 INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const ChainLink* link)
 {
 	int b = BRANCH_NODE(p, branch, k).side;
@@ -70,7 +70,7 @@ INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const Chain
 	}
 }
 
-// Adds to each body the stored changes: first from its joint toward the root, then from its other joints in order.
+// Adds to each body's velocity the stored changes: from its joint toward the root, then from its other joints in order.
 INLINE void branch_gather(const Pools* p, const Branch* branch)
 {
 	group_meet();
@@ -93,7 +93,7 @@ INLINE void branch_gather(const Pools* p, const Branch* branch)
 	group_meet();
 }
 
-// Runs the warm start and its correction for rotated arms; then solves limits, springs and motors, one by one.
+// Runs the warm start; in bias, corrects it for rotated arms. In bias and relax, solves limits, springs and motors.
 INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 {
 	int begin = branch->chain.begin + branch->chain.at.first;
@@ -124,7 +124,7 @@ INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 	group_meet();
 }
 
-// Inverts a symmetric 3 x 3 block (00, 01, 02, 11, 12, 22) by L D L^T. least1, least2: least second and third pivot.
+// Inverts a symmetric 3 x 3 block (00, 01, 02, 11, 12, 22) by L D L^T. least1, least2: bounds of pivots 2 and 3.
 INLINE void branch_invert(const float m[6], float least1, float least2, float b[6])
 {
 	float d0 = 1.0f / m[0], l1 = m[1] * d0, l2 = m[2] * d0, pivot1 = m[3] - l1 * m[1];
@@ -162,7 +162,7 @@ INLINE void branch_rows(const JointPose* c, int b, const int locked[3], float ro
 
 typedef struct // body with all bodies below it
 {
-	float inverse[6], change[3]; // inverse of their inertia; change of the body's velocity before its own joint acts
+	float inverse[6], change[3]; // inverse of their inertia; velocity change of the body without its joint to the root
 } BranchBody;
 
 INLINE BranchBody branch_body(const Pools* p, const Branch* branch, BranchNode node)
@@ -193,8 +193,8 @@ INLINE BranchBody branch_body(const Pools* p, const Branch* branch, BranchNode n
 	return body;
 }
 
-// Reduces the softness of a joint's coordinates along and across if its angle is rigid. The softness is a fraction of
-// the yield, which must not include rotation that the angle does not allow, or light ends of long arms would sag.
+// Reduces the softness of a joint's two linear coordinates if its angle is rigid. The softness is a fraction of the
+// yield, which must not include rotation that the angle does not allow, or light ends of long arms would sag.
 INLINE void branch_stiffen(const Joint* u, JointSystem* s)
 {
 	float impulse[2] = {u->impulse_along, u->impulse_across}, share[2] = {1.0f, 1.0f};
@@ -219,7 +219,7 @@ INLINE void branch_stiffen(const Joint* u, JointSystem* s)
 	}
 }
 
-// Eliminates node k, after its children: computes its effect on the body above.
+// Eliminates node k, after its children: computes its effect on the parent body.
 INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int has_drives)
 {
 	BranchNode node = BRANCH_NODE(p, branch, k);
@@ -282,7 +282,7 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 		BRANCH_AT(p, branch, d[n], k) = body.inverse[n];
 }
 
-// Computes the impulses of node k and the change of its velocity, from the change of the velocity of the body above.
+// Computes the impulses of node k and the change of its velocity, from the change of the velocity of the parent body.
 INLINE void branch_down(const Pools* p, const Branch* branch, int k)
 {
 	BranchNode node = BRANCH_NODE(p, branch, k);
@@ -325,7 +325,7 @@ INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has
 	}
 }
 
-// Limits each drive whose impulse in the solution reaches its bound, and no other drive. Returns whether there is one.
+// Sets each drive whose impulse in the solution reaches its bound to this bound. Returns whether there is such a drive.
 INLINE int branch_bound(const Pools* p, const Branch* branch)
 {
 	int found = 0;
