@@ -110,7 +110,7 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 	CHAIN_PUT(p, turns, spot, blend(step_a, step_b, shared.here_b));
 }
 
-// Clears the solution of the inert joints at the end of row 0, the last row to be eliminated: no other code sets it.
+// Clears the solution of inert joints at the end of row 0, which elimination by rows leaves: no other code sets it.
 INLINE void chain_clear(const Pools* p, const Chain* chain)
 {
 	for (int n = (chain->at.count + chain_rows(chain) - 1) >> chain->at.bits; n < chain->at.length; ++n)
