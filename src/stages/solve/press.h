@@ -103,7 +103,7 @@ INLINE PressContact press_facts(const Pools* p, int i, int slot)
 	return facts;
 }
 
-// m/s: Returns the largest speed, up to max_speed, of a kinematic body at overlapping points to which it moves.
+// m/s: Returns the largest speed, up to max_speed, of a kinematic body at overlapping points where it approaches.
 INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 {
 	WorldShape a = p->world_shape[p->pair[i].x], b = p->world_shape[p->pair[i].y];
