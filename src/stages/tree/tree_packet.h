@@ -9,7 +9,7 @@
 #include "stages/tree/tree.h"
 
 #define PACKET_TRAVERSALS 32 // traversals per packet; CHUNK_ITEMS is a multiple of it
-#define PACKET_SHARE      16 // maximum number of nodes of a level per traversal; with more, it is done outside the packet
+#define PACKET_SHARE      16 // maximum nodes of a level per traversal; a traversal with more is done outside the packet
 #define PACKET_LEAVES     128 // number of overlapping leaves that are collected before they are processed
 
 typedef struct // groups of eight siblings to be tested, sorted by traversal; node: as packet_node returns it
