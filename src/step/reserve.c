@@ -15,7 +15,7 @@
 // and therefore the world hash, so the decision depends only on counts that are equal on every device.
 #define SPARSE_STEPS 60
 #define SPARSE_SHARE 4
-#define SPARSE_SLOTS 4096 // number of additional free slots, without which packing would save nothing
+#define SPARSE_SLOTS 4096 // with at most this number of slots, packing would save nothing
 
 static int64_t rounded(int64_t capacity) { return (capacity + LEAST_CAPACITY - 1) / LEAST_CAPACITY * LEAST_CAPACITY; }
 
