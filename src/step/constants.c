@@ -8,13 +8,13 @@
 
 // Distance at which contacts of small bodies begin, as a multiple of g dt^2, which is twice the fall in a step.
 #define FALL_SHARE 0.5f
-// m: a step is calm if its fall (FALL_SHARE g dt^2) is smaller than this; with one substep the fall is twice that
+// m: a step is calm if its fall (FALL_SHARE g dt^2) is smaller than this; with one substep, bodies fall twice as far
 #define CALM_FALL (0.125f * SPECULATIVE_DISTANCE)
 
-// Largest frequency of contacts, as a share of the substep rate. A light body passes the load of a heavy body on by
+// Largest frequency of contacts, as a fraction of the substep rate. A light body passes the load of a heavy body on by
 // impulses that add up over the passes, and act like a spring of stiffness 2 m / h^2 (m: light mass, h: substep). Only
-// softer springs are damped; at this share a contact has 0.55 of that stiffness. At a share of 0.22, pressed balls, a
-// body of 500 kg on wheels of 1.6 kg, and pyramids of ten rows under a box of 100 times a box's weight fly apart.
+// softer contacts are damped; at this fraction a contact has 0.55 of that stiffness. At 0.22, pressed balls, a body of
+// 500 kg on wheels of 1.6 kg, and pyramids of ten rows under a box of 100 times a box's weight fly apart.
 #define CONTACT_STIFFEST (1.0f / 6.0f)
 
 // Light loads need no such limit. A contact is firmer than this limit up to the overlap that FIRM_WEIGHTS times the
@@ -26,13 +26,13 @@
 #define FIRM_FIXED   2.6f
 #define FIRM_GRAVITY 9.8f // m/s^2: minimum gravity for this overlap, so that contacts are firm without gravity
 
-// Frequency of the soft part, as a multiple of contact_hertz after the limit CONTACT_STIFFEST. The limit CONTACT_DEEP
-// applies afterwards, and is lower at 60 Hz and 4 or more substeps. With larger values, boxes sink deeper under a heavy
-// box: 183 mm with 1 (scene smash, 120 Hz), 191 mm with 1.05, 199 mm with 1.1.
+// Frequency of a contact beyond its firm part, as a multiple of contact_hertz after the limit CONTACT_STIFFEST. The
+// limit CONTACT_DEEP applies afterwards, and is lower at 60 Hz and 4 or more substeps. With larger values, boxes sink
+// deeper under a heavy box: 183 mm with 1 (scene smash, 120 Hz), 191 mm with 1.05, 199 mm with 1.1.
 #define CONTACT_SOFT 1.03f
 
-// Largest frequency of deep contacts, as a share of the step rate. Normals of round shapes follow the bodies only once
-// per step. Under a load N, two round shapes at a distance r push each other aside by a force of N / r per unit of
+// Largest frequency of deep contacts, as a fraction of the step rate. Normals of round shapes follow the bodies only
+// once per step. Under a load N, two round shapes at a distance r push each other aside by a force of N / r per unit of
 // displacement, like a spring that is too stiff for a step: 625 disks on 0.66 of their area never rest with 60 Hz and 8
 // substeps.
 #define CONTACT_DEEP (2.0f / 3.0f)
@@ -60,7 +60,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	const scree_tuning* tuning = &request->tuning;
 	const Backend* b = pipeline->backend;
 	int collidables = request->collidables;
-	// a step with dt 0 only detects contacts, so nothing may divide by dt
+	// a step with dt 0 only finds contacts, so nothing may divide by dt
 	bool moves = request->dt > 0.0f;
 	float dt = request->dt, h = dt / (float)request->substeps, rate = moves ? 1.0f / h : 0.0f;
 
@@ -76,7 +76,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 
 	bool calm = pipeline->counters.joints == 0 && request->fields == 0 && fall < CALM_FALL;
 
-	// a rotation by more than pi per step or pi / 4 per substep could look like a rotation in the opposite direction
+	// limits the spin to pi per step and pi / 4 per substep: more could look like a rotation in the other direction
 	float turn = 0.785398163f * (float)request->substeps;
 	Step step = {
 	    .dt = dt,

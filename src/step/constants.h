@@ -6,7 +6,7 @@
 
 Step step_constants(const Pipeline* pipeline, const StepRequest* request);
 
-// Sets the capacities for the constraints of each kind. Must be called again after a pool has grown.
+// Sets Step.place_capacity, the capacity for each kind of constraint. Must be called again after a pool has grown.
 void step_places(Step* step, const Backend* b);
 
 // Uploads the list of kinematic bodies if it changed and has at most KINEMATIC_FEW entries.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// contact_capacity.c -- computes the contact limit, and reports the error for a place with too many contacts.
+// contact_capacity.c -- computes the contact limit, and the error message of a step that exceeds it.
 //
-// At one point, n bodies have about n^2 / 2 pairs: 22,000 boxes have 242 million pairs, each of 300 bytes.
+// If n bodies are at one point, they have about n^2 / 2 pairs: 22,000 boxes have 242 million, each of 300 bytes.
 #include "step/contact_capacity.h"
 #include "platform/error.h"
 #include <stdio.h>
 #include <stdlib.h>
 
-#define CONTACTS_A_COLLIDABLE 32      // default limit per collidable; heaps have 3, dense heaps of long bodies have 20
-#define LEAST_LIMIT           2000000 // minimum default limit: 600 MB, enough for 2,000 bodies created at one point
+#define CONTACTS_A_COLLIDABLE 32      // default contacts per collidable; heaps have 3, dense heaps of long bodies 20
+#define LEAST_LIMIT           2000000 // minimum default limit: 600 MB, enough for 2,000 bodies at one point
 
 int contact_limit(const StepRequest* request)
 {
@@ -39,7 +39,7 @@ static uint64_t key_of(Float4 box, float cell)
 	return cell_of(0.5f * (box.x + box.z), cell) << 32 | cell_of(0.5f * (box.y + box.w), cell);
 }
 
-// m: Returns the median of width + height of the boxes, 1 if all are empty. words: room for `count` entries.
+// m: Returns the median of width + height of finite boxes, or 1 if there are none. words: room for `count` entries.
 static float usual_size(const Float4* boxes, int count, uint64_t* words)
 {
 	int found = 0;
@@ -53,8 +53,8 @@ static float usual_size(const Float4* boxes, int count, uint64_t* words)
 	return found > 0 ? bits_float((int)words[found / 2]) : 1.0f;
 }
 
-// Finds the cell of a grid that has the most boxes. *place: mean of the centers of these boxes. Returns the number of
-// boxes that contain this point.
+// Finds the cell of a grid with the most centers of boxes. *place: mean of these centers. Returns the number of boxes
+// that contain this point. keys: room for `count` entries.
 static int fullest_place(const Float4* boxes, int count, uint64_t* keys, scree_vec* place)
 {
 	float cell = usual_size(boxes, count, keys);

@@ -7,7 +7,7 @@
 // Executes the runs in Pipeline.list, and empties the list.
 scree_status pipeline_run(Pipeline* pipeline, const Step* step);
 
-// Applies the commands of a list of all->count commands. commands: all->begin, all->end or all->undo.
+// Applies `commands`, which is one of all->begin, all->end and all->undo. Each has all->count commands.
 scree_status apply_commands(Pipeline* pipeline, const Step* step, const StepCommands* all, const Command* commands);
 
 #endif

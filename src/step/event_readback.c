@@ -45,7 +45,7 @@ scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS])
 	return SCREE_OK;
 }
 
-// Sorts the keys of a list of events (EVENT_*). Except for ended touches, also writes their contacts to contact_report.
+// Sorts the keys of a list of events (EVENT_*). Except for ended touches, also writes contact_report for each event.
 static scree_status sort(Pipeline* pipeline, int which, int count, int bits)
 {
 	Backend* b = pipeline->backend;

@@ -4,14 +4,14 @@
 #define EVENT_READBACK_H
 #include "step/pipeline_state.h"
 
-// Reserves memory for the events of the next step if some collidable reports events, and uploads approved pairs.
+// Reserves memory for the lists of events of the next step, if they are in use, and uploads approved pairs.
 scree_status events_reserve(Pipeline* pipeline, const StepRequest* request);
 
-// Lists the events of a step. Touches that end because their contact is released were listed by the narrow phase.
+// Lists the events of a step. Touches that ended with their contact were already listed by the narrow phase.
 scree_status events_list(Pipeline* pipeline, const Step* step);
 scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS]);
 
-// Reads the contacts of all events in a list (EVENT_*), sorted by slot. count: number of events in the list.
+// Reads the contacts of all `count` events in list `which` (EVENT_*), sorted by the slot of the contact.
 scree_status events_contacts(Pipeline* pipeline, int which, int count, ContactReport* rows);
 
 // Reads the pairs of all `count` touches that ended, in ascending order. The upper half of a pair is its first

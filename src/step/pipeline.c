@@ -15,7 +15,7 @@
 #include <math.h>
 #include <string.h>
 
-// Number of coloring rounds added to those of the last step; then the host checks that no contact is left uncolored.
+// Number of coloring rounds beyond those that the last step needed; then the host checks that no contact is uncolored.
 #define SPARE_ROUNDS 2
 
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
@@ -42,7 +42,7 @@ static scree_status read_back(Pipeline* pipeline, const Step* step)
 }
 
 // Executes the listed runs, and starts the solve before the host has read the counters. If the layout of the
-// constraints changes unexpectedly, the device clears the counter that bounds the solve, so nothing is solved.
+// constraints changes unexpectedly, the device clears Counters.kept, so that nothing is solved.
 static scree_status solve_early(Pipeline* pipeline, const Step* step, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
@@ -52,7 +52,7 @@ static scree_status solve_early(Pipeline* pipeline, const Step* step, const Step
 	return b->f->read_end(b, &pipeline->counters);
 }
 
-// Ends a step without a complete search for pairs; restores the boxes. Returns `why`, or a failure of the device.
+// Ends a step whose search for pairs is incomplete; restores the boxes. Returns `why`, or a failure of the device.
 static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status why)
 {
 	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
@@ -78,8 +78,8 @@ static scree_status grow(Pipeline* pipeline, Step* step)
 	return SCREE_OK;
 }
 
-// Executes the listed stages, and also the solve if `early` is set. Sets *solved if that solve was valid. If the pools
-// were too small, enlarges them; then the caller must run the stages again.
+// Executes the listed stages and, if `early` is set, the solve. Sets *solved if that solve was valid. Enlarges the
+// pools if they were too small; Counters.stalled is then set, and the caller must run the stages again.
 static scree_status solve_or_read_back(Pipeline* pipeline, Step* step, const StepRequest* request, bool early,
                                        bool* solved)
 {
@@ -92,7 +92,7 @@ static scree_status solve_or_read_back(Pipeline* pipeline, Step* step, const Ste
 	return status ? abandon(pipeline, step, status) : SCREE_OK;
 }
 
-// Returns the number of the last coloring round that left contacts uncolored, counted from 1; 0 if none did.
+// Returns the number, counted from 1, of the last coloring round that left contacts uncolored; 0 if there is none.
 static int needed_rounds(const Counters* c, int rounds)
 {
 	int needed = 0;
@@ -102,8 +102,8 @@ static int needed_rounds(const Counters* c, int rounds)
 	return needed;
 }
 
-// Completes the layout of the constraints if the listed rounds did not complete it: after a burst of new contacts, with
-// the first hubs, or if the pools are too small. Stores the number of rounds that the next step will probably need.
+// Completes the layout of the constraints if the listed rounds have not: after a burst of new contacts, when the first
+// hubs appear, or when pools are too small. Stores the number of rounds that the next step will probably need.
 static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, int listed)
 {
 	const Backend* b = pipeline->backend;
@@ -135,7 +135,7 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 {
 	const Counters* c = &pipeline->counters;
 	int bodies = request->bodies, rounds = pipeline->rounds + SPARE_ROUNDS;
-	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // true: other runs replace or precede the solve
+	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // true: no solve, or other runs before it
 	bool early = pipeline->backend->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
 	TRY(list_transform(pipeline, step));

@@ -4,7 +4,7 @@
 #define PIPELINE_H
 #include "step/pipeline_state.h"
 
-// Gives the pools their first capacities. bodies, contacts: expected numbers, or 0. The caller owns the backend.
+// Gives pools their first capacities. bodies, contacts: expected numbers, 0 if unknown. The caller owns the backend.
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts);
 void pipeline_close(Pipeline* pipeline);
 

@@ -11,21 +11,21 @@ typedef struct // state of the host for one tree of the broad phase; see tree_ma
 	int* added;      // collidables to append to the leaves in the next step
 	int added_count, added_capacity;
 	int64_t unsorted; // number of leaves appended and boxes changed since the leaves were last sorted
-	double outliers;  // node visits wasted on outliers since the leaves were last sorted
+	double outliers;  // number of node visits wasted on outliers since the leaves were last sorted
 	int churned;      // number of consecutive steps in which boxes jumped so far that the leaves were sorted
 	bool ordered;     // the current step sorts the leaves because boxes are expected to jump
-	bool touched;     // the user changed some box of this tree
+	bool touched;     // boxes or positions of leaves or nodes changed, so the next step recomputes all boxes of nodes
 	bool seen;        // the boxes for queries match the current poses
 	int appended;     // number of leaves appended since the leaves were last sorted
 	int* left;        // collidables destroyed or moved to the other tree since the leaves were last sorted
 	int left_count, left_capacity;
-	bool shrunk; // left is incomplete because it could not grow
+	bool shrunk; // `left` is incomplete because it could not or should not grow
 } TreeState;
 
 typedef struct // lists of commands: applied before the step, after it, or after a refused step
 {
 	const Command *begin, *end, *undo;
-	const int* groups; // index of the first command of each group, and the end; a group: commands of one item
+	const int* groups; // 0 to `count`: for the kernel command, each command is a group
 	int count;
 } StepCommands;
 
@@ -57,13 +57,13 @@ typedef struct
 	Counters counters;     // values at the last readback
 	TreeState trees[2];    // trees of moving and of static collidables
 	Kinematics kinematics; // list of kinematic bodies, as last uploaded
-	uint8_t* member;       // bits of each collidable slot: membership in the trees; see tree_maintenance.c
+	uint8_t* member;       // for each slot of a collidable, bits of its trees; see tree_maintenance.c
 	int member_capacity;
 	RunList list;
-	Step step;             // constants of the last step with dt above 0; also for kernels that read none
-	int used[PER_COUNT];   // maximum number of items of each kind since `idle` was 0
+	Step step;             // constants of the last step with dt above 0; also argument of runs between steps
+	int used[PER_COUNT];   // for each PER_*: maximum number of items in use since `idle` was 0
 	int first_contacts;    // initial number of contact slots
-	int idle;              // number of steps since the pools were last checked for unused capacity
+	int idle;              // number of steps since unused capacity was last checked
 	int sparse;            // number of consecutive steps in which most contact slots were unused
 	bool jumps;            // the user placed or created something since the last step, so boxes may jump
 	bool surfaces_changed; // some collidable changed its attribute or its reported events since the last step
@@ -87,18 +87,18 @@ typedef struct
 	bool unlocked;   // some body with joints may have no collidables
 	bool tethers;    // some joint may connect a moving body to one that cannot move
 	bool can_break;  // some joint may break
-	int chains, chain_ranges; // number of items of a pass over chains; number of ranges of chains
-	int carried;      // index of the first item with a heavy chain between light bodies; all such items are last
-	int chain_places; // number of joints in chains and branches, with padding
-	int branches, branch_nodes;             // numbers: items of a pass over branches (after the chains), their bodies
-	bool dirty;                             // joints were made, changed or destroyed since the last step
+	int chains, chain_ranges;   // number of items of a pass over chains; number of ranges of chains
+	int carried;                // index of the first item with heavy chains between light bodies, which come last
+	int chain_places;           // number of joints in chains and branches, with padding
+	int branches, branch_nodes; // number of items of a pass over branches, which follow the chains; of nodes
+	bool dirty;                 // joints were made, changed or destroyed since the last step
 	float continuous_way, continuous_reach; // as in Step; bounds over all bodies that ever existed
-	int taut;                               // Counters.taut after the last step
-	bool split;                             // neighbors of several hubs have been split for the current layout
+	int taut;                               // Counters.taut as read in the last step, before its solve
+	bool split;                             // the parts of neighbors are computed for the current layout (hub_order)
 	int rounds;                             // number of coloring rounds that the last step needed
 	int64_t steps;
 	bool tells;                      // the user has requested the list of moved bodies
-	uint64_t named, named_bodies;    // versions of the Names of collidables and bodies on the device; 0: none
+	uint64_t named, named_bodies;    // Names.version of collidables and bodies on the device; 0: none
 	int grown;                       // number of times that a pool grew
 	double milliseconds;             // wall-clock time of the last step, ms
 	double stage_times[STAGE_COUNT]; // ms of each stage in the last step; zeros without timings

@@ -5,14 +5,14 @@
 #include "platform/error.h"
 #include "step/tree_maintenance.h"
 
-// If at most an eighth of a pool was used for IDLE_STEPS steps (2 s at 60 Hz), the pool shrinks to twice the used size.
-// A burst that repeats within that time therefore causes no growth. The pool grows again when its use has doubled.
+// If less than an eighth of a pool was used in IDLE_STEPS steps (2 s at 60 Hz), the pool shrinks to twice the used
+// size. So a burst that repeats within that time causes no growth. The pool grows again when its use has doubled.
 #define IDLE_STEPS 120
 #define IDLE_SHARE 4 // a pool shrinks if twice its used size is less than 1 / IDLE_SHARE of its capacity
 
-// Contacts are packed if fewer than a quarter of the slots were used for SPARSE_STEPS steps. Otherwise each step would
-// visit all slots, and the pool could not shrink below the last contact. Packing changes the indices of contacts, and
-// therefore the world hash, so the decision depends only on counts that are equal on every device.
+// Contacts are packed if fewer than a quarter of their slots were used for SPARSE_STEPS steps. Otherwise each step
+// would visit all slots, and the pool could not shrink below the last contact. Packing changes the indices of contacts,
+// and therefore the world hash, so the decision depends only on counts that are equal on every device.
 #define SPARSE_STEPS 60
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096 // with at most this number of slots, packing would save nothing
@@ -95,7 +95,7 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	return status;
 }
 
-// Shrinks pools much larger than twice their used size to that size, at least `least`. Returns whether they shrank.
+// Shrinks much larger pools to twice their used size, but at least to `least` items. Returns whether they shrank.
 static bool shrink(Pipeline* pipeline, Per per, int least)
 {
 	Backend* b = pipeline->backend;

@@ -4,9 +4,9 @@
 #define RESERVE_H
 #include "step/pipeline_state.h"
 
-#define LEAST_CAPACITY 64 // number of items; the capacity of each pool is a multiple of this
+#define LEAST_CAPACITY 64 // number of items; requested capacities are rounded up to a multiple of this
 
-// Ensures space for `capacity` items in the pools of a kind and in pools that depend on them; pools grow by half or
+// Ensures space for `capacity` items in the pools of `per` and in pools that depend on them; pools grow by half or
 // more.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 

@@ -7,7 +7,7 @@
 #include "step/reserve.h"
 #include "step/stage_lists.h"
 
-// Finds the bodies that are neighbors of several hubs, once per layout. The host must have read the counters before.
+// Computes the parts into which neighbors of hubs are split, once per layout. The host must have read the counters.
 static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodies)
 {
 	if (pipeline->counters.hubs == 0 || pipeline->split)
@@ -32,7 +32,7 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
 	TRY(split_spokes(pipeline, step, request->bodies));
-	// with a bound (an early solve, which the device may skip), the runs listed before it already contain the presses
+	// an early solve has a bound; the runs listed before it already contain the presses
 	if (step->presses && bound == NO_COUNT)
 	{
 		list_presses(pipeline, request->bodies, false);
@@ -69,8 +69,8 @@ static scree_status recompute_surfaces(Pipeline* pipeline, const Step* step)
 	return pipeline_run(pipeline, step);
 }
 
-// Ends a step with dt 0 without a solve: measures the depths of overlaps, for the user's counters. Splits spokes in the
-// step that lays them out, because the next step reads back whether any body is split.
+// Ends a step with dt 0 without a solve: measures overlaps and gaps of joints for the user's counters. Splits
+// neighbors of hubs in the step that lays out their spokes, because the next step reads back whether any body is split.
 static scree_status measure_only(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
@@ -118,7 +118,7 @@ scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepReques
 		return measure_only(pipeline, step, request->bodies);
 	if (!solved)
 		TRY(solve_start(pipeline, step, request, NO_COUNT));
-	// counter of the previous step, because a solve may start before the host has read the counters of its step
+	// sets the counter that the next solve uses; an early solve of this step had begun before the host read the counter
 	pipeline->taut = taut;
 	if (pipeline->asks)
 		TRY(stop_waiting_bodies(pipeline, step, request->bodies));

@@ -5,7 +5,7 @@
 #include "step/dispatch.h"
 #include "step/tree_maintenance.h"
 
-// Lists the runs that recompute the boxes of a tree; they run if `count` is NO_COUNT or its counter is not 0.
+// Lists the runs that recompute the boxes of a tree. count: NO_COUNT, or a counter; if it is 0, the runs do nothing.
 static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 {
 	if (tree->leaves == 0)
@@ -199,8 +199,8 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
 }
 
-// Number of contacts by which a press spreads per step. With 1, a press of 1 m/s moves 5 capsules in a row 2.01 cm into
-// a wall.
+// Number of contacts by which a press spreads per step. With 1 instead of 2, a press of 1 m/s moves 5 capsules in a row
+// 2.01 cm into a wall.
 #define PRESS_ROUNDS 2
 
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait)

@@ -10,11 +10,11 @@
 scree_status list_transform(Pipeline* pipeline, const Step* step);
 void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies);
 void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies);
-// Lists the coloring rounds `from` to `to` - 1, and the layout of constraints, which is skipped if some have no color.
+// Lists the coloring rounds `from` to `to` - 1, and the layout, which the device skips if constraints have no color.
 void list_color(Pipeline* pipeline, int bodies, int from, int to);
 
-// Lists the runs that sort the leaves of a tree; they run only if the counter is not 0. boxes: 0 to sort by the
-// boxes of the step, TREE_QUERIES to sort by the boxes for queries.
+// Lists the runs that sort the leaves of a tree. boxes: 0 to sort by the boxes of the step, TREE_QUERIES to sort by the
+// boxes for queries. count: NO_COUNT, or a counter; if it is 0, the runs do nothing.
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count);
 
 // Lists the runs that find bodies pressed against bodies that cannot move. may_wait: true if the layout may be old.

@@ -6,7 +6,7 @@
 
 scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint64_t* hash);
 
-// Updates the pool render_row or, if `shared` is set, the memory that OpenGL reads. collidables: number of their slots.
+// Updates the pool render_row or, if `shared` is set, the memory that OpenGL reads. collidables: number of slots.
 scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared);
 
 // Updates the pool joint_state for `count` slots from `first` on. The user's changes must already be uploaded.

@@ -10,9 +10,9 @@
 #define FIRST_ANSWERS  256 // initial capacity of a list of results
 #define APPENDED_SHARE 8   // sorts leaves if more than 1 / APPENDED_SHARE of them were appended since the last sort
 
-#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4)) // maximum number of runs: levels of both trees, twice, and two sorts
+#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4)) // maximum number of runs: both trees are refitted twice and sorted
 
-// Lists the runs that compute the boxes of tree t. ways: true for boxes around the paths of the last step.
+// Lists the runs that compute the boxes of tree t for queries. ways: true for boxes around the motion of the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)
 {
 	RunList* list = &pipeline->list;
@@ -23,7 +23,7 @@ static void list_refit(Pipeline* pipeline, int t, bool ways)
 		runs_add(list, KERNEL_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, RUN_PAIR(t, level));
 }
 
-// Sorts the leaves of a tree. In a world that never made a step, they are in the order of creation.
+// Sorts the leaves of a tree, which are in the order of creation until a step or a query has sorted them.
 static scree_status order(Pipeline* pipeline, int t)
 {
 	list_refit(pipeline, t, false);

@@ -11,19 +11,19 @@ typedef struct // generations of the handles of all slots
 	uint64_t version; // changes whenever a generation changes
 } Names;
 
-typedef struct // a call of queries
+typedef struct // arguments of a call that executes queries
 {
-	int form;          // QUERY_RAYS, QUERY_SHAPES, QUERY_NEAREST or QUERY_SENSORS
-	bool any;          // true: finds only whether there is a query result
-	QueryPlan plan;    // all members are set, except room, found and bodies
-	const void* items; // queries in the layout of Query; null if they are in the memory shared for queries, at items_at
+	int form;                  // QUERY_RAYS, QUERY_SHAPES, QUERY_NEAREST or QUERY_SENSORS
+	bool any;                  // true: finds only whether there is a query result
+	QueryPlan plan;            // its members room, found and bodies are not set
+	const void* items;         // array of Query; null if the queries are in the memory shared for queries, at items_at
 	size_t items_at, found_at; // offsets of the queries and of their results in the shared memory
 	int count;
 	Names collidables, bodies;
 	bool timings;
 	// Checks queries `begin` to `end` - 1, in any thread. If one is invalid, all searches end, but no result is read.
 	scree_status (*check)(const void* context, int begin, int end);
-	const void* context; // argument of check
+	const void* context; // argument of `check`
 } QueryRequest;
 
 // Computes the result of each query. The user's changes must be uploaded. found: null for queries in shared memory.

@@ -9,11 +9,11 @@
 #define ROW_BYTES  sizeof(float)
 #define ENDS_BYTES (2 * sizeof(int)) // indices of the two bodies of a constraint
 
-// Bytes of a row of the pool body. VELOCITY: written by a constraint. DISPLACEMENT: cleared at the start of a step.
+// Bytes of parts of a row of the pool body. VELOCITY: a constraint writes it. DISPLACEMENT: solve_begin clears it.
 #define VELOCITY     (offsetof(BodyState, dx))
 #define DISPLACEMENT (offsetof(BodyState, inv_inertia) - offsetof(BodyState, dx))
 
-typedef struct // bytes that one constraint moves in a step
+typedef struct // bytes that one constraint moves in a step: of its own rows, and of rows of bodies
 {
 	size_t rows, bodies;
 } Bytes;

@@ -10,7 +10,7 @@
 
 #define LEFT_SOON 24 // distance, in collidables, between the prefetch of an entry of Pipeline.member and its use
 
-// Bits of Pipeline.member: a leaf of tree t refers to the collidable; the collidable exists and belongs to tree t.
+// Bits of Pipeline.member. HAS_LEAF: a leaf of tree t refers to the collidable. BELONGS: it is alive and in tree t.
 #define HAS_LEAF(t) (1 << (t))
 #define BELONGS(t)  (4 << (t))
 
@@ -154,11 +154,11 @@ scree_status tree_upload(Pipeline* pipeline)
 }
 
 // Returns whether the wasted node visits have reached the cost of sorting the leaves, about ORDER_VISITS per leaf, so
-// the total cost stays within twice the minimum. A box changes when its collidable has moved by the margin, an
-// eighth of its size. After c changes of every box, a traversal visits about 2 c more nodes than after the sort, in sum
-// c * c per leaf. Without jumps, the leaves are sorted after four changes of every box, when neighbors on the curve are
-// still near each other. Sorting after eight changes made the broad phase 3 % faster in scenes that tumble, but would
-// lose more if bodies fly.
+// the total cost stays within twice the minimum. A box changes when its collidable has moved by the margin, 1/8 of its
+// own size. After c changes of each box, a traversal visits about 2 c more nodes than after the sort, in sum c^2 per
+// leaf. Without jumps, the leaves are sorted after four changes of every box, when neighbors on the curve are still
+// near each other. Sorting after eight changes made the broad phase 3 % faster in scenes that tumble, but would lose
+// more if bodies fly.
 bool tree_wants_order(const TreeState* state)
 {
 	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;

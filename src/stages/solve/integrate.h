@@ -8,8 +8,8 @@
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
 
-// Adds to velocities the acceleration and, as warm start, the change that contacts caused in the last substep. b, m,
-// base: rows of pools. In the first substep, base is the velocity without the warm start, which b already contains.
+// Adds the acceleration to velocities and, as warm start, the change by constraints in the previous substep. b, m,
+// base: rows of the pools body, motion, base. In the first substep, b contains the warm start and base does not.
 INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base, int first)
 {
 	Vec v = vec(b[0], b[1]), contacts = vec_sub(v, vec(base[0], base[1]));
@@ -27,7 +27,7 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	v.y = m[7] * finite_of(linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
 	w = number_of(angular * w + h * (b[7] * m[2])); // the limit below makes it finite
 
-	// limits the velocity without the change by contacts: a limited change would not match the stored impulses
+	// limits the velocity without the change by constraints: a limited change would not match the stored impulses
 	v = vec_scale(vec_shrink(v, step->max_speed), v);
 	w = within(w, splat(step->max_spin));
 	base[0] = v.x;

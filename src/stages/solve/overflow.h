@@ -4,7 +4,7 @@
 #define OVERFLOW_H
 #include "constraints/constraint_kinds.h"
 
-// Runs a pass over joint k. pass: a constant.
+// Runs a pass over the joint at place k. pass: a constant, so that the compiler omits the code of other passes.
 INLINE void overflow_solve(const Pools* p, int k, int pass)
 {
 	int ia = joint_row(p, body_a, k), ib = joint_row(p, body_b, k);

@@ -23,7 +23,7 @@ KERNEL(solve_begin)
 		counters_clear(p);
 }
 
-// Sets the inertia of a body for the step. Member `da` is the inertia that the pull of joints requires (joint_taut).
+// Raises the inertia of a body for the step to that which the pull of joints requires (joint_taut), in member `da`.
 KERNEL(body_taut)
 {
 	GLOBAL BodyState* body = p->body + i;
@@ -33,7 +33,7 @@ KERNEL(body_taut)
 	if (own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
 		body->inv_inertia = 1.0f / pull;
 	if (i == 0)
-		p->counters->taut = 0; // clears the counter; the warm starts of this step count again
+		p->counters->taut = 0; // the warm starts of this step set it again
 }
 
 // Restores the inertia of a body after the step.

@@ -5,27 +5,27 @@
 // load rests on it. The contacts of the body do not distinguish these two cases. So each press is propagated as a way:
 // a direction, with a number of hops left. A body that overlaps something kinematic is pressed along the normal, and
 // presses the bodies that it touches in about that direction, and so on: contacts hand ways on. The number begins at
-// PRESS_HOPS and is reduced by each hop, so that a way fades when its source is gone. Static bodies start ways too, in
-// the opposite directions. A body with opposite ways of both kinds is pressed between the two. A contact stores its
-// hops between steps; bodies collect their ways again in each step.
+// PRESS_HOPS and is reduced by each hop, so that a way fades when its source is gone. Static bodies start ways too,
+// away from themselves. A body with ways of both kinds is pressed between the two. A contact stores its hops between
+// steps; bodies collect their ways again in each step.
 #ifndef PRESS_H
 #define PRESS_H
 #include "constraints/contact_report_points.h"
 #include "constraints/joint_prepare.h"
 #include "stages/geometry/sweep.h"
 
-// minimum cosine between a way and a normal along which it continues; with a smaller limit, carts press the floor
+// minimum cosine between a way and the normal of a contact that hands it on; if it is smaller, carts press the floor
 #define PRESS_ALONG 0.15f
 
 #define PRESS_HOPS   63   // maximum number of hops of a way, and so of bodies in a row through which a press acts
-#define PRESS_STEPS  32   // number of steps after a press in which a body leaves no faster than it was pressed
-#define PRESS_SLOWER 0.9f // fraction of its speed that a pressed body keeps per step while faster than the presser
+#define PRESS_STEPS  32   // number of steps after a press in which the speed of the body is limited
+#define PRESS_SLOWER 0.9f // fraction of its speed that a pressed body may keep per step if it is faster than the press
 
-// Way of kind 0 (static) or 1 (kinematic) in the pool contact_press: 6 bits of hops; PRESS_BACK: from body b to body a.
+// Way of kind 0 (static) or 1 (kinematic) in the pool contact_press: 6 bits of hops; PRESS_BACK: it leads from b to a.
 #define PRESS_WAY(bits, kind) ((int)((bits) >> (kind)*7 & 127u))
 #define PRESS_BACK            64
 
-#define PRESS_SPEED 16 // first bit of the presser's speed, behind both ways: the upper bits of a float, rounded up
+#define PRESS_SPEED 16 // first bit of the press's speed, behind both ways: the upper bits of a float, rounded up
 
 INLINE float press_speed(Word bits) { return bits_float((int)(bits >> PRESS_SPEED << 15)); }
 
@@ -45,7 +45,7 @@ INLINE int press_code(int hops, Vec direction)
 
 INLINE Vec press_direction(int code) { return vec((float)(code >> 8 & 255) - 128.0f, (float)(code & 255) - 128.0f); }
 
-// Returns the number of hops left if a way continues along a normal, 0 if it ends.
+// Returns the number of hops left after a contact with this normal has handed a way on, 0 if the way ends there.
 INLINE int press_left(int code, Vec normal)
 {
 	int along = vec_dot(press_direction(code), normal) > PRESS_ALONG * 127.0f;
@@ -103,7 +103,7 @@ INLINE PressContact press_facts(const Pools* p, int i, int slot)
 	return facts;
 }
 
-// m/s: Returns the largest speed of a kinematic body at those points of contact i that overlap and approach.
+// m/s: Returns the largest speed, up to max_speed, of a kinematic body at overlapping points where it approaches.
 INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 {
 	WorldShape a = p->world_shape[p->pair[i].x], b = p->world_shape[p->pair[i].y];
@@ -126,7 +126,7 @@ INLINE void press_give(const Pools* p, int body, int kind, int hops, Vec directi
 		raise_int(&p->press[body].way[kind], press_code(hops, direction));
 }
 
-// Clears the ways of body i, and stores its speed and spin at the start of the step.
+// Clears the ways and depth of body i, and stores its speed and spin at the start of the step.
 KERNEL(press_begin)
 {
 	BodyState state = p->body[i];
@@ -142,7 +142,7 @@ KERNEL(press_begin)
 	press->spun = minimum(absolute(number_of(state.w)), p->step.max_spin);
 }
 
-// Starts a way at an overlap with a static or kinematic body. lasts: 1 while the pressed body's speed is limited.
+// Starts a way at an overlap with a static or kinematic body. lasts: 1 while the speed of the pressed body is limited.
 RARE void press_start(const Pools* p, int i, int slot, int lasts)
 {
 	ContactPoints at = press_points(p, slot);
@@ -157,7 +157,7 @@ RARE void press_start(const Pools* p, int i, int slot, int lasts)
 		raise_int(&p->press[body].speed, float_bits(press_pushes(p, slot, at)));
 }
 
-// Item: a place of contacts. Gives both bodies the ways stored in the contact, and starts one if one body cannot move.
+// Item: a place of contacts. Gives ways in a contact to the bodies to which they lead; starts one at an immovable body.
 KERNEL(press_gather)
 {
 	int slot = press_slot(p, i);
@@ -203,7 +203,7 @@ KERNEL(press_gather)
 
 #define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k)) // modes that hold the anchors together along coordinate k
 
-// Item: a joint. If one body cannot move and the anchors are far apart, starts a way like a presser of max_speed.
+// Item: a joint. If one body cannot move and the anchors are far apart, starts a way, like a press with max_speed.
 KERNEL(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
@@ -224,7 +224,7 @@ KERNEL(press_joint)
 	raise_int(&p->press[still_a ? ib : ia].speed, float_bits(p->step.max_speed));
 }
 
-typedef struct // part of a body's row that press_hand_on reads; the kernel raises another part, the depth
+typedef struct // members of Press that press_hand_on reads; other work-items may raise `depth` at that time
 {
 	int way[2], speed, left;
 } PressWays;
@@ -240,7 +240,7 @@ INLINE PressWays press_ways(const Pools* p, int body)
 	return ways;
 }
 
-// Item: a place of contacts. Hands ways on, and marks bodies pressed into something static for continuous collision.
+// Item: a place of contacts. Hands ways on; stores depths of pressed bodies in static ones, for continuous collision.
 KERNEL(press_hand_on)
 {
 	int slot = press_slot(p, i), way[2] = {0, 0};

@@ -3,13 +3,13 @@
 //
 // A short body between two joints that pull at it is like a piece of a string: it swings faster than substeps can
 // resolve, and the corner of a net opens. As in a chain (chain_stiff.h), its inertia for the step is that of an
-// implicit integration of the pull, the sum of h (arm . pull), if that is larger. These kernels run only after a step
-// with a pull near this limit (joint_tautens).
+// implicit integration of the pull, the sum of h (arm . pull), if that is larger. These kernels run only if the pull of
+// a joint recently required more than JOINT_TAUT of an inertia (joint_tautens).
 #ifndef TAUT_H
 #define TAUT_H
 #include "constraints/constraint_kinds.h"
 
-// Adds the inertia that a pull requires, `pull`, to member da of a body. turn: da so far, 0 before the first substep.
+// Adds the inertia that a pull requires, `pull`, to member da of a body. turn: sum of earlier joints, in member da.
 INLINE void taut_add(const Pools* p, Int body, const Body* b, Real turn, Real pull)
 {
 	Real zero = splat(0.0f), row[4];

@@ -18,7 +18,7 @@ INLINE Int hilbert_spread(Int x)
 // Returns the distance of cell x, y along the Hilbert curve through 65,536 x 65,536 cells: two bits per level, from the
 // largest quadrant down. The curve of a quadrant is rotated relative to that of its parent, so the orientation of a
 // level is the product of all rotations above it. `a`, `b`, `c`, `d` are that product over 1, 2, 4, 8 and 16 levels,
-// one bit per level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
+// one bit per level, so four doublings replace a loop over 16 levels. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
 INLINE Int hilbert_distance(Int x, Int y)
 {
 	const int all = 65535;
@@ -42,7 +42,7 @@ INLINE Int hilbert_distance(Int x, Int y)
 	return shifted(hilbert_spread(high & all), 1) | hilbert_spread(low);
 }
 
-// Returns the cell of the midpoint between two bounds.
+// Returns the cell of the midpoint between two bounds. cells: number of cells per metre, counted from `begin`.
 INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
 {
 	Real at = (0.5f * (lower + upper) - begin) * cells;
@@ -63,7 +63,7 @@ WIDE_KERNEL(tree_code)
 	for (int which = 0; which < 4; ++which)
 		box[which] = gather((const GLOBAL float*)boxes, place + 8 * which);
 	Int code = hilbert_distance(tree_cell(box[0], box[2], bounds.x, cells), tree_cell(box[1], box[3], bounds.y, cells));
-	// only a dead leaf has a key with all bits set
+	// clears a bit if all bits are set: only the key of a dead leaf may begin with such a code
 	code = blend_int(code, code & ~1, code == -1);
 	store_keys(p->key, i, blend_int(code, code | -1, box[0] > box[2]), load_int(p->leaf + tree->leaf_begin, i));
 }

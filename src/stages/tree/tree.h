@@ -82,8 +82,9 @@ INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, i
 INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 
 // Item: a node of level 1. argument: the tree. Adds to the estimate of wasted visits: a leaf that is new or jumped
-// makes the nodes above it outliers, which traversals visit in vain. The expected fraction of traversals that meet such
-// a node is its area divided by the area of all leaves. Nodes below the limit OUTLIER_BOXES do not count.
+// makes the nodes above it outliers, which traversals visit in vain. The expected fraction of traversals that visit
+// such a node is its area divided by the sum of the areas of all leaves. Nodes below the limit OUTLIER_BOXES do not
+// count.
 KERNEL(tree_outlier)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -155,7 +156,7 @@ KERNEL(tree_order)
 // Returns a mask of the eight nodes from `first` on: bit k is set if node first + k overlaps the box.
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
-// Returns a mask of eight nodes of a level: bit k is set if node first + k contains a leaf with from <= index < end.
+// Returns a mask of eight nodes of a level: bit k is set if node first + k has a leaf with `from` <= index < `end`.
 INLINE Word64 tree_span(int level, int first, int from, int end)
 {
 	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
@@ -175,7 +176,7 @@ typedef struct // traversal of the nodes of level 1 that overlap a box, by risin
 	int movers;       // 1: visit only nodes below which a leaf can touch a kinematic collidable
 } TreeTraversal;
 
-// Starts a traversal of a tree that is not empty, over the leaves with from <= index < end, or over all if end is 0.
+// Starts a traversal of a tree that is not empty, over leaves with `from` <= index < `end`, or over all if `end` is 0.
 INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
 	TreeTraversal traversal;

@@ -8,11 +8,11 @@
 #define TREE_PACKET_H
 #include "stages/tree/tree.h"
 
-#define PACKET_TRAVERSALS 32  // traversals per packet; CHUNK_ITEMS is a multiple of it
-#define PACKET_SHARE      16  // limit of nodes of a level per traversal; one with more nodes is done outside the packet
+#define PACKET_TRAVERSALS 32 // traversals per packet; CHUNK_ITEMS is a multiple of it
+#define PACKET_SHARE      16 // maximum nodes of a level per traversal; a traversal with more is done outside the packet
 #define PACKET_LEAVES     128 // number of overlapping leaves that are collected before they are processed
 
-typedef struct // remaining nodes of a level, by traversal; node: 4 times the first of eight siblings, plus traversal
+typedef struct // groups of eight siblings to be tested, sorted by traversal; node: as packet_node returns it
 {
 	int count;
 	int node[PACKET_TRAVERSALS * PACKET_SHARE + ARITY];
@@ -22,8 +22,8 @@ INLINE int packet_traverse(int node) { return node & (PACKET_TRAVERSALS - 1); }
 INLINE int packet_first(int node) { return node >> 2 & ~(ARITY - 1); }
 INLINE int packet_node(int traversal, int first) { return first << 2 | traversal; }
 
-// Tests the nodes of a level and collects the children of nodes that overlap. Masks of traversals: `kinematic`,
-// those of kinematic collidables; `alone`, those outside the packet. Returns `alone` plus those with too many nodes.
+// Tests nodes of a level, `from`, and collects the children of those that overlap in `to`. Masks of traversals:
+// `kinematic`, of kinematic collidables; `alone`, outside the packet. Returns `alone` plus those with too many nodes.
 INLINE Word packet_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word kinematic,
                            Word alone, const PacketFront* from, PacketFront* to)
 {

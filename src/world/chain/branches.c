@@ -16,8 +16,8 @@
 #define HUB_JOINTS 3
 #define HUB_WEIGHT 3.0f
 #define HUB_HINGE  0.18f
-// A body with HUB_JOINTS joints is also a hub if all other bodies of its tree together have HUB_LOAD times its mass. In
-// ragdolls the ratio is up to 9, and they come to rest without a branch.
+// A body with at least HUB_JOINTS joints is also a hub if all other bodies of its tree together have HUB_LOAD times its
+// mass. In ragdolls the ratio is up to 9, and they come to rest without a branch.
 #define HUB_LOAD 20.0f
 // Maximum number of nodes of a branch, to limit its time. In larger trees, branches have only joints at light bodies.
 #define MOST_NODES  1024
@@ -26,7 +26,7 @@
 typedef struct
 {
 	ChainSearch* s;
-	int* place;   // per body: 1 + its position in `list`, 0 if it is not listed
+	int* place;   // per body that can move: 1 + its position in `list`, 0 if it is not listed
 	int* list;    // bodies in the order in which they were reached
 	int* through; // per listed body: joint through which it was reached, -1 for none
 	int* above;   // per listed body: position in `list` of the body from which it was reached, -1 for none
@@ -44,8 +44,8 @@ static float distance(scree_vec a, scree_vec b) { return sqrtf((a.x - b.x) * (a.
 
 static bool welded(const HostJoint* host) { return host->def.coordinates[SCREE_ANGLE].locked; }
 
-// Returns the sum of mass / hub's mass and inertia / hub's inertia. Mass and inertia are those of the body at a joint's
-// other end and of all bodies welded to it; if the hub is hinged there, only HUB_HINGE of the mass counts.
+// Returns mass / hub's mass + inertia / hub's inertia, for the body at a joint's other end with all bodies welded to
+// it. If the hub is hinged there, only HUB_HINGE of the mass counts, as a mass at the hinge.
 static float weight_of(const scree_world* world, int joint, int hub)
 {
 	const HostJoint* host = world->host_joints + joint;
@@ -121,7 +121,7 @@ static int put(Branching* b, int count, int body, int through, int above)
 	return count + 1;
 }
 
-// Adds to the list all bodies that joints connect to listed bodies; if `all` is false, only to light listed bodies.
+// Adds to the list the bodies that joints connect to listed bodies or, if `all` is false, only to light listed bodies.
 // Returns the new number of listed bodies. Sets *whole to false if a joint closes a ring or leads to another branch.
 static int spread(Branching* b, int count, bool all, bool* whole)
 {
@@ -180,7 +180,7 @@ static bool similar(const Branching* b, int count)
 	return mass_ratio(range) <= MOST_RATIO;
 }
 
-// Adds the listed bodies as nodes of a branch, in the order of the list: by the number of joints to the first body.
+// Adds the listed bodies as nodes of a branch. Their order is that of their distance from the first body, in joints.
 static void add(Branching* b, int count)
 {
 	ChainLayout* layout = &b->s->layout;
@@ -217,8 +217,8 @@ static void add(Branching* b, int count)
 	layout->node_count += count;
 }
 
-// Lists a tree again if one of its ends is an immovable body: from this body, because a joint to it is solved exactly
-// only at the root. Returns the new number of listed bodies.
+// Lists a tree again from its first immovable body, if it has one: a joint to such a body is solved exactly only at the
+// root. Returns the new number of listed bodies.
 static int hang(Branching* b, int count, bool all)
 {
 	const scree_world* world = b->s->world;

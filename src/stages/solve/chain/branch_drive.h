@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// branch_drive.h -- adds motors and limits to the equations of a branch, unless they are at a bound.
+// branch_drive.h -- adds motors and limits to the equations of a branch, except those whose impulse is at its bound.
 //
-// First, each drive is solved separately, as in other joints. A motor below its maximum, and a limit that pushes, then
-// hold their coordinate like a lock: friction in the hinges of a light body couples its ends as much as the hinges do.
-// A drive whose impulse in the solution exceeds its bound stays at the bound, and the rest is solved again.
+// First, each drive (motor or limit) is solved separately, as in joints outside branches. A motor below its maximum,
+// and a limit with an impulse, then hold their coordinates like locks: friction in the hinges of a light body couples
+// its ends as much as the hinges do. If an impulse reaches its bound in the solution, it stays there, and the rest is
+// solved again.
 #ifndef BRANCH_DRIVE_H
 #define BRANCH_DRIVE_H
 #include "stages/solve/chain/chain.h"
@@ -12,7 +13,8 @@
 #define HELD_BY_MOTOR 1
 #define HELD_BY_LIMIT 2
 
-// Returns HELD_BY_* of the drive that holds coordinate k; HELD_BY_NONE if no drive does, or k is locked.
+// Returns HELD_BY_* of the drive that holds coordinate k: HELD_BY_NONE if no drive does, or if k is locked, or is along
+// or across with JOINT_ELLIPTIC.
 INLINE int branch_holder(const JointDrive* d, int modes, int k)
 {
 	if (modes & (k == JOINT_ANGLE ? JOINT_LOCKED(k) : JOINT_LOCKED(k) | JOINT_ELLIPTIC))
@@ -22,7 +24,7 @@ INLINE int branch_holder(const JointDrive* d, int modes, int k)
 	return modes & JOINT_MOTOR(k) && absolute(d->motor_impulse) < d->motor_most ? HELD_BY_MOTOR : HELD_BY_NONE;
 }
 
-// Adds the equations of motors and limits to those of the locks. Returns the holding drives, 2 bits per coordinate.
+// Adds the equations of drives that hold coordinates to `s`. Returns HELD_BY_* of each coordinate, in 2 bits each.
 INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* link, JointSystem* s)
 {
 	int modes = (int)link->u.modes, held = 0;
@@ -51,7 +53,7 @@ INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* l
 	return held;
 }
 
-// Returns the impulse of the drive that holds a coordinate, after a change by x, limited to the bounds of the drive.
+// Returns the impulse of a drive after it has changed by x, limited to the bounds of the drive.
 INLINE float branch_bounded(const JointDrive* d, int holder, float x)
 {
 	if (holder == HELD_BY_MOTOR)
@@ -60,7 +62,7 @@ INLINE float branch_bounded(const JointDrive* d, int holder, float x)
 	return d->limit_impulse > 0.0f ? push_of(now) : -push_of(-now);
 }
 
-// Sets the impulse of the drive that holds coordinate k, and applies the change to the bodies.
+// Sets the impulse of the drive that holds coordinate k to `now`, and applies the change to the bodies.
 INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, JointDrive* d, ChainLink* link)
 {
 	float change = now - (holder == HELD_BY_MOTOR ? d->motor_impulse : d->limit_impulse);
@@ -74,7 +76,7 @@ INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, 
 	                         k == JOINT_ANGLE ? change : 0.0f));
 }
 
-// Limits each drive of a joint whose impulse in a solution reaches its bound. Returns whether there is one.
+// Sets the drives of a joint that reach their bounds with the solution x to these bounds. Returns whether any does.
 INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], ChainLink* link)
 {
 	int found = 0;
@@ -93,7 +95,7 @@ INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], 
 	return found;
 }
 
-// Adds a solution to the impulses of holding drives, and clears these components of x; the others are for the locks.
+// Adds the solution x to the impulses of drives that hold coordinates, and clears x there; the rest is for the locks.
 INLINE void branch_drive(const Pools* p, int place, int held, float x[3], ChainLink* link)
 {
 	for (int k = 0; k < JOINT_COORDINATES; ++k)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// chain.h -- runs a pass over a chain: the locks of joints in a row are solved together, exactly (chain_solve.h). A
-// rope that carries a hundred times a link's mass needs hundreds of passes from joint to joint until all links bear it.
-// The host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved after the colors.
+// chain.h -- runs a pass over a chain: the locks of joints in a row are solved together, exactly (chain_solve.h). If
+// they were solved one by one, a rope that carries a hundred times a link's mass would need hundreds of passes. The
+// host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved after the colors.
 //
-// No two even joints of a chain share a body, nor do two odd ones. Lanes process joints of one half in parallel.
+// No two joints with even numbers share a body, and no two with odd numbers do. Lanes process joints of one half.
 #ifndef CHAIN_H
 #define CHAIN_H
 #include "stages/solve/chain/chain_stiff.h"
 
-// Runs the part of a joint that does not depend on velocities: the warm start and its correction for rotated arms.
+// Applies impulses that do not depend on velocities: the warm start or, in bias, its correction for rotated arms.
 INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
 {
 	if (pass == PASS_WARM_START)
@@ -21,7 +21,7 @@ INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
 		joint_turn(p, place, &link->u, &link->c);
 }
 
-// Runs the part of a joint that does not depend on the other joints: chain_start, and limits, springs, motors.
+// Applies the impulses of a joint that are solved joint by joint: chain_start and, in bias and relax, joint_drive_all.
 INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 {
 	chain_start(p, place, pass, link);
@@ -29,11 +29,12 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 		joint_drive_all(p, place, pass == PASS_BIAS, &link->u, &link->c);
 }
 
-// Factor of the diagonal. There are many solutions if joints hold a body more than once, as in a welded bridge; a
-// factor slightly above 1 selects the smallest. It multiplies changes of impulses only, so the chain gets no softer.
+// Factor of the diagonal of the linear system. If joints hold a body more than once, as in a welded bridge, the system
+// has many solutions; a factor slightly above 1 selects the smallest. It multiplies changes of impulses only, so the
+// chain gets no softer.
 #define CHAIN_GIVE 1.00001f
 
-// Returns whether the angle of a joint is not locked, but gets a separate damping impulse in bias and relax.
+// Returns whether the angle of a joint is not locked, but is damped in bias and relax (chain_slack).
 INLINE Int chain_damps(const Pools* p, int spot, const Joint* u)
 {
 	return (CHAIN_AT(p, slack, spot) > splat(0.0f)) & (joint_has(u, JOINT_LOCKED(JOINT_ANGLE)) == 0);
@@ -132,7 +133,7 @@ INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 	chain_store(p, chain, spot, &link);
 }
 
-// Processes the even or odd joints of a chain. owns: 1 to run chain_own; builds: 1 to compute equations afterwards.
+// Processes the even or odd joints of a chain: runs chain_own if `owns` is 1, then chain_build if `builds` is 1.
 INLINE void chain_half(const Pools* p, const Chain* chain, int odd, int pass, int owns, int builds)
 {
 	if (!owns && !builds)
@@ -188,7 +189,7 @@ INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 		chain_locks(p, &chain, pass);
 }
 
-// Item: ranges of chains that share blocks. argument: the pass.
+// Item: one range of chains, or several ranges in the same blocks of the pool chain_joints. argument: the pass.
 GROUP_KERNEL(chain)
 {
 	int first = p->chain[i].item;
@@ -213,8 +214,9 @@ GROUP_KERNEL(chain)
 	}
 }
 
-// Sets the inertias of the links before any constraint acts. Otherwise constraints would rotate a link with its own
-// inertia, and the chain would rotate it back by another angle with the step's inertia: this kick tore ropes.
+// Sets the inertias of the links for the step before any constraint acts. Otherwise other constraints would rotate a
+// link with its original inertia, and the chain would rotate it back by another angle with the raised one: this kick
+// tore ropes.
 GROUP_KERNEL(chain_begin)
 {
 	(void)bench;

@@ -12,7 +12,7 @@ typedef struct // joint of a chain with its bodies, in registers
 	Int ia, ib;
 } ChainLink;
 
-typedef struct // LANES joints: joint n of a row and the next ones, or joint n of a row of each of several chains
+typedef struct // LANES joints: those from joint n of a row on, or joint n of this row in each of LANES chains
 {
 	int row, n, spot;
 } ChainPlace;
@@ -20,8 +20,8 @@ typedef struct // LANES joints: joint n of a row and the next ones, or joint n o
 INLINE int chain_first(const Chain* chain) { return chain_side(chain) ? 0 : group_lane(); }
 INLINE int chain_stride(const Chain* chain) { return chain_side(chain) ? 1 : group_width(); }
 
-// Returns the first place of the even joints (`odd` 0) or of the odd joints (`odd` 1). At the end of a row, chain_goes
-// advances the place to the next row of this half. chain_goes returns whether joints are left.
+// Returns the place of the first even joints (`odd` 0) or odd joints (`odd` 1). chain_goes sets the spot of a place,
+// after it has moved a place at the end of a row to the next row of this half; it returns whether joints are left.
 INLINE ChainPlace chain_half_begin(const Chain* chain, int odd)
 {
 	ChainPlace place;
@@ -66,7 +66,7 @@ INLINE void chain_load_posed(const Pools* p, int place, ChainLink* link)
 	joint_pose(p, place, &link->u, &link->c);
 }
 
-// Stores the part of a pose that the end of a pass uses, because impulses are applied along the axes of the equations.
+// Stores axes and levers of a pose for chain_give, because impulses are applied along the axes of the equations.
 INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
 {
 	CHAIN_PUT(p, pose[0], spot, c->axis[0].x);
@@ -78,7 +78,7 @@ INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
 	}
 }
 
-// Loads a joint with its stored pose and the step's inertias: only half of the state of its bodies is gathered.
+// Loads a joint with its stored pose and the inertias of the step, so only half of the state of its bodies is gathered.
 INLINE void chain_load_kept(const Pools* p, const Chain* chain, int spot, ChainLink* link)
 {
 	JointPose* c = &link->c;

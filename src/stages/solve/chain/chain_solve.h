@@ -2,9 +2,9 @@
 // chain_solve.h -- solves the linear system of a chain by cyclic reduction: each step eliminates every second joint.
 //
 // The system is symmetric and block tridiagonal, with one row of 3 x 3 blocks per joint. Its solution is exact, so a
-// load at one end acts on the other end within a pass, for any masses between them. A CPU processes LANES joints at
-// once: joints of a row while more than one row of a chain is left, or joints of chains side by side. Inert joints at
-// the ends change no bit.
+// load at one end acts on the other end within a pass, for any masses between them. A CPU processes LANES joints at a
+// time: adjacent joints of a row while more than one row of the chain is left, or one joint of each of LANES
+// interleaved chains. Inert joints, which pad the ends of rows, change no bit of the result.
 //
 // This work is based on:
 // Bill Buzbee, Gene Golub, Clair Nielson, On Direct Methods for Solving Poisson's Equations, 1970: cyclic reduction.
@@ -13,21 +13,21 @@
 #define CHAIN_SOLVE_H
 #include "pools/pools.h"
 
-#define CHAIN_PIVOT 1.0e-6f // lower limit of a pivot as a fraction of its diagonal: a smaller pivot is a rounding error
+#define CHAIN_PIVOT 1.0e-6f // lower limit of a pivot as a fraction of its diagonal element: less is a rounding error
 
 typedef struct
 {
 	ChainRange at;
-	int begin; // place of spot 0 of all chains
+	int begin; // place of the constraint rows of spot 0, for all chains
 } Chain;
 
-typedef struct // position of LANES joints
+typedef struct // position of the neighbors of LANES joints
 {
-	int here, next; // offsets in the pool, in floats; -1 for none
-	int shift;      // 1: lanes take the joint of the following lane; -1: of the preceding one; the end lane: at `next`
+	int here, next; // offsets of two groups of LANES joints in the pool, in floats; -1: none
+	int shift;      // 0: joints at `here`; 1, -1: those one lane after, before these; the missing one is at `next`
 } ChainNear;
 
-// Number of rows of a ChainBlock. chain_offset returns the offset of a spot in such a row, in floats.
+// Number of rows of MAX_LANES numbers in a ChainBlock. chain_offset returns the offset of a spot in a row, in floats.
 #define CHAIN_ROWS ((int)(sizeof(ChainBlock) / sizeof(float)) / MAX_LANES)
 
 INLINE int chain_offset(int spot)
@@ -36,7 +36,7 @@ INLINE int chain_offset(int spot)
 	return (spot - low) * CHAIN_ROWS + low;
 }
 
-// Loads components of the neighbors of LANES joints; 0 if there is no neighbor.
+// Loads `count` components of the neighbors of LANES joints; 0 for each lane without a neighbor.
 INLINE void chain_near(const GLOBAL float (*member)[MAX_LANES], int count, ChainNear near, Real* out)
 {
 	for (int k = 0; k < count && near.here < 0; ++k)
@@ -88,7 +88,7 @@ INLINE Int chain_near_int(const GLOBAL int* member, ChainNear near)
 
 INLINE int chain_rows(const Chain* chain) { return 1 << chain->at.bits; }
 
-// Returns whether chains are stored side by side, which happens only on devices with several lanes.
+// Returns whether chains are stored side by side (interleaved), which happens only on devices with several lanes.
 INLINE int chain_side(const Chain* chain) { return LANES > 1 && chain->at.stride > 1; }
 
 // Returns the spot of joint k, -1 if there is no such joint.
@@ -110,7 +110,7 @@ INLINE int chain_row_spot(const Chain* chain, int row, int n)
 	return at->first + (row & 1) * at->odds + (row >> 1) * at->length + n * at->stride;
 }
 
-// Returns the position of the joint `far` places (at most chain_rows) behind joint n of a row; before it if `far` < 0.
+// Returns the position of the joint `far` (at most chain_rows) joints after joint n of a row; if `far` < 0, before it.
 INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 {
 	ChainNear near;
@@ -129,12 +129,12 @@ INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 #define CHAIN_JOINTS(k, chain, from, by) \
 	for (int k = (from) + part_lane() * (by); k < (chain)->at.count; k += part_width() * (by))
 
-// Loops over blocks of joints of the rows `from`, `from` + `by` and so on.
+// Loops over groups of LANES joints, from joint n on, of the rows `from`, `from` + `by` and so on.
 #define CHAIN_BLOCKS(row, n, chain, from, by)                    \
 	for (int row = (from); row < chain_rows(chain); row += (by)) \
 		for (int n = 0; n < (chain)->at.length; n += LANES)
 
-// Eliminates every second one of the joints 0, top, 2 top and so on, by rows; chain_reduce_joints: joint by joint.
+// Eliminates every second one of the joints 0, top, 2 top, ..., row by row; chain_reduce_joints does so joint by joint.
 INLINE void chain_reduce_rows(const Pools* p, const Chain* chain, int top)
 {
 	CHAIN_BLOCKS(row, n, chain, top, 2 * top)
@@ -168,10 +168,10 @@ INLINE void chain_back_joints(const Pools* p, const Chain* chain, int top)
 	chain_back(p, chain_spot(chain, k), chain_spot(chain, k - top), chain_spot(chain, k + top));
 }
 
-// Loops over blocks of joints of chains side by side: joint k of all chains is one block.
+// Loops over the joints `from`, `from` + `by` and so on of interleaved chains. A lane has joint k of its chain.
 #define CHAIN_SIDE(k, chain, from, by) for (int k = (from); k < (chain)->at.count; k += (by))
 
-// Returns the spot of joint k of chains side by side, which are stored in two rows.
+// Returns the spot of joint k of interleaved chains, which are stored in two rows.
 INLINE int chain_side_spot(const Chain* chain, int k) { return chain_row_spot(chain, k & 1, k >> 1); }
 
 INLINE ChainNear chain_side_near(const Chain* chain, int k)
@@ -216,7 +216,7 @@ INLINE void chain_solve_alone(const Pools* p, const Chain* chain)
 		chain_back_rows(p, chain, top);
 }
 
-// Solves the system with a work-group. Each joint already has its d, l and r.
+// Solves the system with a work-group. The members d, l and r of each joint must be set.
 INLINE void chain_solve(const Pools* p, const Chain* chain)
 {
 	if (chain_side(chain))

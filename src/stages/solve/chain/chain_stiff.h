@@ -2,8 +2,8 @@
 // chain_stiff.h -- starts a step of a chain: computes inertias that tension requires, and bodies that joints share.
 //
 // A link under tension is like a string: its sideways vibration may be faster than substeps can resolve, and the rope
-// whips apart. So for the step a link's inertia is enlarged to that of an implicit integration of the tension, if this
-// exceeds its own. All constraints of the link use the same inertia; otherwise they would add energy in turns.
+// whips apart. So for the step the inertia of a link is raised to that of an implicit integration of the tension, if
+// this is larger. All constraints use the raised inertia; constraints with different inertias would add energy.
 //
 // This work is based on:
 // S. Andrews, M. Teichmann, J. Kovecses, Geometric Stiffness for Real-time Constrained Multibody Dynamics, 2017.
@@ -11,11 +11,13 @@
 #define CHAIN_STIFF_H
 #include "stages/solve/chain/chain_link.h"
 
-// Maximum of inertia / damping of a damped free angle. With less damping, the softness 1 / damping could overflow sums.
+// Maximum of inertia / damping of a damped free angle. With less damping, its inverse, the softness, could overflow
+// sums.
 #define CHAIN_SLACKEST 1.0e12f
-#define CHAIN_SLOW     0.02f // factor of a body's own inertia in chain_slack
+#define CHAIN_SLOW     0.02f // factor of the inertia I in chain_slack
 
-// Stores the bodies of a joint, their inverse inertias, and its tension, kg m^2: inertia that its pull adds to each.
+// Stores the bodies of a joint, their original inverse inertias, and the inertia, kg m^2, that its pull adds to each
+// body.
 INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 {
 	ChainLink link;
@@ -32,18 +34,18 @@ INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 	CHAIN_PUT(p, own_b, spot, link.c.b.inv_inertia);
 }
 
-typedef struct // bodies of joints at their sides a and b, and the sum of the tensions of all joints at each body
+typedef struct // bodies a and b of joints, masks of those that can move, and the tension of all joints at each body
 {
 	Int a, b, moves_a, moves_b;
 	Real tension_a, tension_b;
 } ChainBodies;
 
-typedef struct // masks: sides (of the joint, of the neighbor) at which a joint and its neighbor share a moving body
+typedef struct // masks: body a, body b of a joint can move and is shared with the neighbor; it is the neighbor's body a
 {
 	Int here_a, here_b, there_a;
 } ChainShared;
 
-// Returns the sides at which joints share bodies with neighbors. Adds the neighbors' tension at these bodies.
+// Returns the bodies that joints share with their neighbors. Adds the neighbors' tension at these bodies to `bodies`.
 INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* bodies)
 {
 	Int a = chain_near_int(p->chain_joints->body_a, neighbor), b = chain_near_int(p->chain_joints->body_b, neighbor);
@@ -67,10 +69,11 @@ INLINE Real chain_inertia(Real inverse, Real tension)
 	return blend(inverse, 1.0f / tension, (more > zero) & (more <= splat(MOST_FLOAT)));
 }
 
-// Returns the softness that damps a free angle between two links, 0 for no damping. An implicit integration of the
-// tension t (kg m^2) damps a rotation by t in a substep. Only the fraction t / (CHAIN_SLOW I + t) of t is used (I:
-// inertia). It is small for a pendulum, which keeps its energy, and large for neighbors that swing against each other.
-// The impulse acts between the two links, so a whirled rope keeps its momentum.
+// Returns the softness that damps the free angle between two links, 0 for no damping. An implicit integration of the
+// tension t (kg m^2, the smaller one of the two bodies) would damp the rotation by t in a substep. The damping is less:
+// t times t / (CHAIN_SLOW I + t), where 1 / I is the sum of the inverse inertias. This fraction of t is small for a
+// pendulum, which keeps its energy, and large for links that swing against each other. The impulse acts between the two
+// links, so a whirled rope keeps its momentum.
 INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 {
 	Real zero = splat(0.0f), inverse = CHAIN_AT(p, own_a, spot) + CHAIN_AT(p, own_b, spot);
@@ -80,7 +83,7 @@ INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 	return blend(zero, splat(1.0f) / damping, damps);
 }
 
-// Computes the inertias of joints' bodies for the step, and the body that each joint shares with the joint before it.
+// Computes the bodies' inertias for the step, the softness of angles, and the bodies shared with the joints before.
 INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 {
 	int spot = place.spot;
@@ -107,7 +110,7 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 	CHAIN_PUT(p, turns, spot, blend(step_a, step_b, shared.here_b));
 }
 
-// Clears the solution of the inert joints at the end of the row that remains after elimination: no other code sets it.
+// Clears the solution of inert joints at the end of row 0, which elimination by rows leaves: no other code sets it.
 INLINE void chain_clear(const Pools* p, const Chain* chain)
 {
 	for (int n = (chain->at.count + chain_rows(chain) - 1) >> chain->at.bits; n < chain->at.length; ++n)
@@ -115,7 +118,7 @@ INLINE void chain_clear(const Pools* p, const Chain* chain)
 			chain_at(p, x[k], chain->at.first + n) = 0.0f;
 }
 
-// Sets the inertias of a joint's bodies. Two joints set the same value for their common body.
+// Sets the inertias of a joint's bodies that can rotate. Two joints set the same value for their common body.
 INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float inverse_b)
 {
 	if (inverse_a > 0.0f)

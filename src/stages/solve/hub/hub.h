@@ -17,8 +17,8 @@
 #define HUB_LEVELS  8
 #define HUB_COLUMNS (1 << HUB_LEVELS)
 
-#define HUB_ROUNDS 2       // limit of rounds of Newton's method
-#define HUB_CLOSE  1.0e-5f // the rounds end if the velocity changes by less than this fraction
+#define HUB_ROUNDS 2       // maximum number of rounds of Newton's method
+#define HUB_CLOSE  1.0e-5f // the rounds end if Newton's step is at most this fraction of the velocity (hub_found)
 
 #define HUB_GYRATION 1.0e13f // m^2: limit of inertia / mass; its product with HUB_SPEED squared is finite
 
@@ -39,7 +39,7 @@ INLINE float hub_halve(const LOCAL float* x, int stride, int used)
 	return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
-// Reduces the columns by halves, with one worker.
+// Adds up the columns of each sum by halves, with one worker. The totals are then in column 0.
 INLINE void hub_add_columns(int used, int sums, LOCAL float* bench)
 {
 	for (int span = HUB_COLUMNS / 2; span > 0; span /= 2)
@@ -81,12 +81,12 @@ INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB
 	}
 	bench_meet();
 
-	// + 0 removes the sign of a zero, which would depend on the number of columns
+	// adding 0 removes the sign of a zero, which would depend on the number of columns
 	for (int q = 0; q < HUB_SUMS; ++q)
 		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
 }
 
-// Prepares all spokes or, if `warm` is set, warm starts them. Stores sums of impulse changes on the hub, by columns.
+// Prepares all spokes or, if `warm` is set, warm starts them. Stores the sums of the impulses on the hub, by columns.
 INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, LOCAL float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
@@ -125,7 +125,7 @@ INLINE int hub_bears(const float v[3])
 	return bears;
 }
 
-// Computes the change of the hub's velocity from sums of impulses. Returns whether the change is within HUB_SPEED.
+// Computes the change of the hub's velocity from the sums of impulses on it. Returns whether it is within HUB_SPEED.
 INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
 {
 	gain[0] = h->inv_mass * sum[0];
@@ -134,15 +134,15 @@ INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
 	return hub_bears(gain);
 }
 
-// (m/s)^2: Returns twice the kinetic energy of a velocity, per kilogram
+// (m/s)^2: Returns twice the kinetic energy of the hub at a velocity, per kilogram of the hub.
 INLINE float hub_energy(const Hub* h, const float v[3])
 {
 	return v[0] * v[0] + v[1] * v[1] + h->gyration * v[2] * v[2];
 }
 
-// Computes the step d of Newton's method, by L D L^T: (M + H) d = push - M (now - free). H is minus the derivative of
-// push by now. In exact arithmetic H lowers no pivot of M. Rounding could lower one, so each pivot is raised to that of
-// M, the hub without its spokes.
+// Computes Newton's step d by L D L^T from (M + H) d = push - M (now - free). M: mass matrix of the hub without its
+// spokes; push: impulse of the spokes; H: minus the derivative of `push` with respect to `now`. In exact arithmetic H
+// lowers no pivot of M. Rounding could lower one, so each pivot is raised to that of M.
 INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 {
 	float mass = h->mass, inertia = h->inertia;
@@ -161,7 +161,8 @@ INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 	d[0] = x / xx - yx * d[1] - wx * d[2];
 }
 
-// Returns whether Newton's step d is not finite, or small against the velocity or the effect of gravity in a substep.
+// Returns whether the rounds end: Newton's step d exceeds HUB_SPEED or is NaN, or it is small compared with the
+// velocity and the velocity that gravity adds in a substep.
 INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 {
 	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
@@ -169,7 +170,8 @@ INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
 }
 
-// Applies the fraction of the responses that minimizes the energy, so no energy is added. After convergence it is 1.
+// Applies the fraction of the responses that minimizes the energy, so no energy is added; after convergence it is 1. It
+// is 0 if the responses would change the velocity by more than HUB_SPEED, or a sum is not finite.
 INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 {
 	float gain[3], part = 0.0f, down = -sum[9];
@@ -261,7 +263,7 @@ INLINE void hub_work(const Pools* p, Hub* h, int pass, LOCAL float* bench)
 	pair_total(p, i, load(&contact_row(p, normal_impulse1, i), 0), load(&contact_row(p, normal_impulse2, i), 0));
 }
 
-// Returns hub number n. row: row of its body.
+// Returns hub number n at the start of a pass. row: BodyState of its body.
 INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 {
 	Hub h;
@@ -289,7 +291,7 @@ INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 	return h;
 }
 
-// Writes the neighbor's velocity back to its pool, unless it is split: hub_merge adds the changes of the parts.
+// Writes the velocity of a neighbor that can move to the pool body, except if it is split: hub_merge writes it then.
 INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 {
 	int m = spoke_of(p, i);
@@ -299,7 +301,7 @@ INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 	scatter_rows4of8((GLOBAL float*)p->body, spoke_neighbor(p, h, i), row, whole & (row[3] > splat(0.0f)));
 }
 
-// Runs a pass over hub n with a work-group, on bodies in their pool.
+// Runs a pass over hub n with a work-group, on the pool body. hub_merge writes the velocity if the hub itself is split.
 INLINE void hub_pass(const Pools* p, int n, int pass, LOCAL float* bench)
 {
 	float row[8];

@@ -35,7 +35,7 @@ INLINE int hub_number(const Pools* p, int body)
 	return low < p->counters->hubs && p->hub[low] == body ? low : -1;
 }
 
-// Returns the hub to which the layout assigned spoke k, even if the user has changed masses since then.
+// Returns the hub to which the layout assigned spoke k, even if the user has changed masses since the layout.
 INLINE int spoke_hub_of(const Pools* p, int k)
 {
 	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + k, a = contact_row(p, body_a, c),
@@ -75,9 +75,9 @@ KERNEL(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// Item: a key, sorted by neighbor, hub color and hub. Computes the number of parts of the neighbor. In each hub color,
-// the hubs at it get equal parts, each split equally among the hub's spokes with the neighbor. argument: number of
-// spokes.
+// Item: a key, sorted by neighbor, hub color and hub. Computes the number of parts of the neighbor. Hubs of one color
+// at the neighbor get equal parts, also the neighbor if it is such a hub. The part of a hub is split equally among its
+// spokes with the neighbor. argument: number of spokes.
 KERNEL(hub_order)
 {
 	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_COLOR;
@@ -118,7 +118,7 @@ KERNEL(hub_order)
 		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
 }
 
-// Returns the spoke of key i if its neighbor is split in hub color `turn` and i is the first key of both; else -1.
+// Returns the spoke of key i if this is the first key of a split neighbor in hub color `turn`; otherwise -1.
 INLINE int hub_merged(const Pools* p, int i, int turn)
 {
 	int order = p->spoke_order[i], spoke = order / HUB_COLORS;
@@ -127,15 +127,15 @@ INLINE int hub_merged(const Pools* p, int i, int turn)
 	return spoke;
 }
 
-// Returns the hub number of a neighbor that is itself a hub of the hub color `turn`; else -1.
+// Returns the hub number of a neighbor that is itself a hub of the hub color `turn`; otherwise -1.
 INLINE int hub_within(const Pools* p, int body, int turn)
 {
 	int n = hub_number(p, body);
 	return n >= 0 && hub_color(n) == turn ? n : -1;
 }
 
-// Merges a split body: adds the changes of its parts, each times its fraction of the mass. The item of the body's first
-// key adds them in a fixed order: its change as a hub, if it is one, then those as a neighbor. argument: hub color.
+// Merges a split body: adds to its velocity the changes of its parts, each times the part's fraction of the mass. The
+// item of the body's first key adds them in a fixed order; its part as a hub comes first. argument: hub color.
 KERNEL(hub_merge)
 {
 	int spoke = hub_merged(p, i, p->argument);

@@ -4,17 +4,18 @@
 #define SPOKE_ANSWER_H
 #include "stages/solve/hub/spoke_pose.h"
 
-// Number of sums of the responses. 0 to 2: impulse on the hub (x, y, angular). 3 to 8: minus its derivatives by the
-// hub's velocity (xx, xy, yy, xw, yw, ww). 9, 10: first and second derivative of the energy along the responses.
+// Number of sums of the responses. 0 to 2: impulse on the hub (x, y, angular). 3 to 8: minus its derivatives with
+// respect to the hub's velocity (xx, xy, yy, xw, yw, ww). 9, 10: first derivative of the energy along the responses;
+// second derivative without the energy of the hub.
 #define HUB_SUMS 11
 
-typedef struct // response: impulses, and minus their derivatives with respect to the hub's velocity at each point
+typedef struct // response: impulses; minus their derivatives by the hub's velocity at the same, at the other point
 {
 	Real impulse[2], own[2], cross;
 } SpokeAnswer;
 
-// Returns impulses at the two points, which never pull: two positive impulses solve both equations, a single positive
-// one solves that of its point. want1, want2: separation velocities of the points without any impulse.
+// Returns impulses at the two points, which never pull. Two positive ones bring both points to their target velocities,
+// a single one brings its point there. want1, want2, m/s: velocities minus targets without any impulse.
 INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want2)
 {
 	SpokeAnswer r;
@@ -50,7 +51,7 @@ INLINE SpokeAnswer spoke_hold(const Pools* p, int m, const Real slope[2], const 
 	return r;
 }
 
-// Computes the response of a spoke to the hub's velocity, adds it to `sum`, and stores the impulses.
+// Computes the response of a spoke to the hub's velocity, adds its terms to `sum`, and stores the impulses.
 INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum[HUB_SUMS])
 {
 	int m = spoke_of(p, i);
@@ -96,7 +97,7 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	Real bend[2] = {mass[0] * change[0] * change[0], mass[1] * change[1] * change[1]};
 	add[10] = bend[0] + bend[1] + 2.0f * cross * change[0] * change[1];
 
-	// impulses stay the same if a result is not a finite float
+	// keeps the old impulses if a new one exceeds MOST_IMPULSE, or a term could overflow its sum
 	Int finite0 = absolute(r.impulse[0]) <= splat(MOST_IMPULSE),
 	    finite1 = absolute(r.impulse[1]) <= splat(MOST_IMPULSE);
 	Int adds = finite0 & finite1 & spoke_adds(h, bend[0]) & spoke_adds(h, bend[1]);
@@ -108,7 +109,7 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	store(&spoke_at(p, new2, m), 0, blend(old[1], r.impulse[1], adds));
 }
 
-// Applies a fraction, `part`, of the response of a spoke. The limits apply again, because rounding may exceed them.
+// Applies the fraction `part` of the response of a spoke. Clamps impulses, because rounding may exceed their limits.
 INLINE void spoke_give(const Pools* p, const Hub* h, int i, int what, float part)
 {
 	int m = spoke_of(p, i), limited = spoke_limited(what);

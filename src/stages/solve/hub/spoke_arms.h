@@ -19,8 +19,8 @@ typedef struct // hub while it is solved
 	float mass, inertia;         // mass and inertia of the hub's part; a hub of inertia 0 does not rotate
 	float gyration;              // m^2: inertia over mass
 	float most;                  // limit of a spoke's contribution to a sum, so that the sum over all spokes is finite
-	float from[3];               // velocity at the start of the block
-	float free[3];               // velocity at the start of the block, after impulses beyond their limits were removed
+	float from[3];               // velocity at the start of the block: x, y, angular
+	float free[3];               // the same, after impulses beyond their limits were removed
 	float now[3];
 	Body whole; // hub as one body, not split into parts
 } Hub;
@@ -28,7 +28,7 @@ typedef struct // hub while it is solved
 typedef struct // effects of unit impulses at the points of a spoke
 {
 	Vec n;                    // direction of the impulse on the hub; opposite to that of the impulse on the neighbor
-	Real hub[2], neighbor[2]; // arms of the two points
+	Real hub[2], neighbor[2]; // angular impulses on hub and neighbor per unit of impulse, at each point
 	Real mass, inertia;       // inverse mass and inertia of the neighbor's part
 	Real whole_mass, whole_inertia;
 	Vec v; // velocity of the neighbor
@@ -96,7 +96,7 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 	}
 	if (what == HUB_ROLL)
 	{
-		// a torque, stored as the impulse at the first point
+		// rolling resistance is a torque, stored as the impulse at the first point
 		s.n = vec(splat(0.0f), splat(0.0f));
 		s.hub[0] = blend(splat(-1.0f), splat(1.0f), turned);
 		s.neighbor[0] = -s.hub[0];
@@ -117,7 +117,7 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 // Returns whether a spoke may add x to a sum; 0 if x is NaN.
 INLINE Int spoke_adds(const Hub* h, Real x) { return (x >= splat(-h->most)) & (x <= splat(h->most)); }
 
-// Computes `push`, the impulse of a spoke on the hub. Returns whether it and the neighbor's energy are within h->most.
+// Computes `push`, the impulse of a spoke on the hub. Returns whether all terms and the energy are within h->most.
 INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Real push[3])
 {
 	Real both = impulse[0] + impulse[1];

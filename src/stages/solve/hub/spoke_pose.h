@@ -8,16 +8,16 @@
 // would be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
 #define HUB_YIELD 0.1f
 
-// The same fraction for restitution, smaller than HUB_YIELD: no later pass restores the impulse that it takes away.
+// The same fraction for restitution. It is smaller, because no later pass restores the impulse that it takes away.
 #define BOUNCE_YIELD 0.001f
 
-#define LEAST_RESISTS 1.0e-37f // 1/kg: a smaller inverse mass counts as immovable; the inverse of this limit is finite
-#define HUB_SPEED     1.0e12f  // m/s, rad/s: bodies faster than this are not solved
+#define LEAST_RESISTS 1.0e-37f // 1/kg: a smaller inverse mass of a point counts as 0; 1 / LEAST_RESISTS is finite
+#define HUB_SPEED     1.0e12f  // m/s, rad/s: limit of velocities; a spoke with a higher one gets no impulse
 
-// Returns whether a block is friction or rolling resistance: impulses of both signs, within limits.
+// Returns whether a block is friction or rolling resistance, whose impulses have both signs and limits.
 INLINE int spoke_limited(int what) { return what == HUB_FRICTION || what == HUB_ROLL; }
 
-// Computes the limits of friction (N s) and rolling resistance (N m s).
+// Computes the limits of friction (N s) or rolling resistance (N m s); does nothing for other blocks.
 INLINE void spoke_limits(const Pools* p, int i, int what, Real limit[2])
 {
 	Real normal[2];
@@ -47,14 +47,14 @@ INLINE Real spoke_rebound(const Pools* p, int i, int k)
 	return k ? load(&contact_rare(p, rebound2, i), 0) : load(&contact_rare(p, rebound1, i), 0);
 }
 
-// 1/kg: Returns the relative velocity at point k per unit of impulse. Both bodies count as not split into parts.
+// 1/kg: Returns the change of the relative velocity at point k per unit of impulse, as if neither body were split.
 INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
 {
 	return h->whole.inv_mass + s->whole_mass + h->whole.inv_inertia * s->hub[k] * s->hub[k] +
 	       s->whole_inertia * s->neighbor[k] * s->neighbor[k];
 }
 
-// Computes the target at point k. *bias, m/s: minus the target velocity. *soft, 1/kg: softness added to inverse mass.
+// Computes the target at point k. *bias, m/s: minus the target velocity. *soft, 1/kg: softness, added to inverse mass.
 INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, int k, Real* bias,
                         Real* soft)
 {
@@ -75,13 +75,14 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
 }
 
-// Returns whether a block may leave out points: restitution those without an impulse, relax those that will bounce.
+// Returns whether a block may leave out points: restitution leaves out those that do not bounce or had no impulse,
+// relax those that will bounce but have not touched yet.
 INLINE int spoke_chooses(const Pools* p, int what)
 {
 	return what == HUB_BOUNCE || (what == HUB_NORMAL && p->step.bounces);
 }
 
-// Returns 1 if point k is solved, else 0.
+// Returns 1 if point k is solved, otherwise 0. old: its normal impulse.
 INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), rebound = spoke_rebound(p, i, k);
@@ -102,13 +103,13 @@ INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
 typedef struct // problem of a spoke for one kind of impulse
 {
 	Real old[2], limit[2];     // N s
-	Real mass[2], cross;       // 1/kg: changes of velocity per unit of impulse
+	Real mass[2], cross;       // 1/kg: change of velocity per unit of impulse: at the same, at the other point
 	Real slope[2], inverse[2]; // m/s: velocity error that is left with the old impulses; kg: inverse of mass
 	Int well;                  // mask: velocities and masses are finite
 } SpokeProblem;
 
-// Removes impulses beyond their limits, because no solution may keep them, and all impulses of a spoke whose velocity
-// is not finite or exceeds HUB_SPEED. Adds the effect on the hub to `taken`; updates the velocity of the neighbor.
+// Reduces impulses of friction and rolling resistance to their limits. Removes all impulses of a spoke with a velocity
+// that is not finite or exceeds HUB_SPEED. Adds the effect on the hub to `taken`; updates the velocity of the neighbor.
 INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, SpokeArms* s, SpokeProblem* r, Real taken[3])
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), held[2], beyond[2], push[3], speed[2];
@@ -138,7 +139,7 @@ INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, Spoke
 	s->w = load(&spoke_at(p, w, m), 0);
 }
 
-// Computes masses and slopes; all are 0 if one of them is not finite.
+// Computes masses and slopes of both points. All are 0 if one is not finite, or a velocity exceeds HUB_SPEED.
 INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, SpokeProblem* r)
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), speed[2];
@@ -150,7 +151,7 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 		Real bias, soft;
 		spoke_wants(p, h, i, what, s, k, &bias, &soft);
 		Real hub_mass = what == HUB_ROLL ? zero : splat(h->inv_mass);
-		// slightly more than the mass itself, so that two points at one place have a solution
+		// slightly more than the inverse mass itself, so that two points at one place have a solution
 		r->mass[k] = 1.0001f * (s->mass + s->inertia * s->neighbor[k] * s->neighbor[k]) +
 		             yield * (hub_mass + h->inv_inertia * s->hub[k] * s->hub[k]) + soft;
 		r->slope[k] = speed[k] + bias + soft * r->old[k];
@@ -164,8 +165,8 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 	}
 }
 
-// Stores the limits (friction, rolling resistance), or the selection of the points that are solved (restitution,
-// relax). Adapts masses and their cross term, and inverts the masses.
+// Stores the limits (friction, rolling resistance), or marks the points that are solved (restitution, relax). Adapts
+// the masses or their cross term to them, and inverts the masses.
 INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 {
 	Real zero = splat(0.0f);
@@ -190,7 +191,7 @@ INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 		r->inverse[k] = blend(zero, 1.0f / r->mass[k], r->mass[k] > splat(LEAST_RESISTS));
 }
 
-// Prepares the problem of a spoke for one block. taken: sum of the removed impulses on the hub.
+// Prepares the problem of a spoke for one block. Adds the impulses on the hub that this removes to `taken`.
 INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken[3])
 {
 	SpokeArms s = spoke_arms(p, h, i, what);
