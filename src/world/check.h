@@ -8,7 +8,7 @@
 
 #define ALONE (-1)
 
-// Upper bounds of surface values. Square roots, products and ratios of two values up to MOST_SURFACE are finite.
+// Upper bounds of surface values. Products of two values up to MOST_SURFACE, and their square roots, are finite.
 #define MOST_SURFACE     1e6f
 #define MOST_RESTITUTION 100.0f
 
@@ -25,13 +25,13 @@ typedef struct // text of a float in messages: the shortest decimal number that 
 } Decimal;
 Decimal decimal(float x);
 
-// Fails with "function: argument[index]member MESSAGE"; member is "" or begins with a dot.
+// Fails with "function: argument[index]member TEXT"; TEXT comes from `format`. member: "", or begins with a dot.
 scree_status refuse(scree_status status, ArgumentPlace at, const char* member, const char* format, ...) FORMAT(4, 5);
 
 // Checks that a number is finite, and from `low` to `high`. -FLT_MAX and FLT_MAX stand for no bound.
 scree_status check_real(ArgumentPlace at, const char* member, float x, float low, float high);
 
-// Check the range of a value of a body: check_gravity_scale and others, one per value of body_values.def.
+// Check that a value of a body is in its range: check_gravity_scale and others, one for each value of body_values.def.
 #define X(name, least, most, value)                                                        \
 	static inline scree_status check_##name(ArgumentPlace at, const char* member, float x) \
 	{                                                                                      \
@@ -39,11 +39,11 @@ scree_status check_real(ArgumentPlace at, const char* member, float x, float low
 	}
 #include "pools/body_values.def"
 
-// Checks that both components are from -limit to limit.
+// Checks that both components of a vector are from -limit to limit.
 scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 
-// Checks a pose: position within SCREE_MAX_COORDINATE, rotation of length 1 with an error of at most 0.0005. Normalizes
-// the rotation only if the error is above 2.5e-7, so setting a pose that was read does not change it.
+// Checks a pose: coordinates within SCREE_MAX_COORDINATE, and a rotation of length 1 +- 0.0005. Normalizes the rotation
+// only if the error of the length is above 2.5e-7, so setting a pose that was read does not change it.
 scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose);
 
 // Checks that a device name has one of the forms listed at scree_world_def.device.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// definition.c -- reads definitions of programs built with another version of the header, and writes results for them.
+// definition.c -- reads definitions of programs that use another version of the header, and writes results for them.
 #include "world/definition.h"
 #include <stddef.h>
 #include <string.h>

@@ -6,7 +6,7 @@
 #include "scree/scree.h"
 #include <stdbool.h>
 
-typedef struct // row of a new body; for a destroyed body, zeros and the rotation (1, 0)
+typedef struct // row of a created or destroyed body; if destroyed, values are 0 and the rotation is (1, 0)
 {
 	int index;
 	int since;       // number of commands recorded before this row; they belong to the previous body in the slot
@@ -27,7 +27,7 @@ typedef struct // row of a created or destroyed collidable; the upload reads the
 
 typedef struct // pending edits of a body or a collidable; zeros if there are none
 {
-	int row;   // 1 + index of its row in the list
+	int row;   // 1 + index of its row in Edits.bodies or Edits.collidables
 	int group; // 1 + index of its group of commands; set during world_upload
 } PendingEdits;
 
@@ -45,8 +45,8 @@ typedef struct
 	int joint_count, joint_capacity;
 	int* paths; // slots of paths to upload, each once
 	int path_count, path_capacity;
-	int sample_rows;    // number of rows of the pool path_sample that have ever been written
-	int attribute_rows; // number of rows of the pool attribute that have ever been written
+	int sample_rows;    // 1 + highest row of the pool path_sample that was ever written
+	int attribute_rows; // 1 + highest row of the pool attribute that was ever written
 } Edits;
 
 #endif

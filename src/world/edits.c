@@ -10,7 +10,7 @@ scree_status edits_reserve(scree_world* world, const char* function, int bodies,
 	Edits* p = &world->edits;
 	TRY(GROW(function, p->bodies, p->body_capacity, p->body_count + bodies));
 	TRY(GROW(function, p->collidables, p->collidable_capacity, p->collidable_count + collidables));
-	// a new or removed collidable needs 2 commands, for a link of a list and a ContinuousBody; mass_settle needs 1
+	// each new or removed collidable needs 2 commands, for a link of its list and a ContinuousBody; mass_settle needs 1
 	return GROW(function, p->commands, p->command_capacity, p->command_count + commands + 2 * collidables + 1);
 }
 

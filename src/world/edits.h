@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // edits.h -- records the user's changes until the next upload. A row contains a body's values at its creation; later
-// changes are commands. So the time of the upload does not matter.
+// changes are commands. So the result does not depend on the time of the upload.
 #ifndef EDITS_H
 #define EDITS_H
 #include "world/edit_lists.h"

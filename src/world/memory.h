@@ -5,7 +5,7 @@
 #include "scree/scree.h"
 #include <stddef.h>
 
-// Returns memory of at least the given size, or null if there is none. The memory is valid until the next call.
+// Returns memory of at least the given size, or null if there is none. The next call of world_scratch may release it.
 void* world_scratch(scree_world* world, size_t bytes);
 
 // Enlarges an array to at least `needed` items, and at least by half, unless its capacity suffices. item: bytes per

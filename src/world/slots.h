@@ -16,14 +16,14 @@ typedef struct
 	uint64_t changes; // number of changes of generations
 } Slots;
 
-// Reserves memory, so that the allocation of more slots cannot fail. Returns false if there is no memory.
+// Reserves memory, so that the next `more` allocations cannot fail. Returns false if there is no memory.
 bool slots_reserve(Slots* slots, int more);
 void slots_close(Slots* slots);
 
 int slots_allocate(Slots* slots);
 void slots_free(Slots* slots, int slot);
 
-// Reverts an allocation; later ones must be reverted first. used: value of Slots.used before all reverted allocations.
+// Reverts an allocation; later ones must be reverted before it. used: Slots.used before the first allocation to revert.
 void slots_put_back(Slots* slots, int slot, int used);
 
 static inline bool slots_in_use(const Slots* slots, int slot) { return slots->generation[slot] & 1; }

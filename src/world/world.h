@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// world.h -- the data of a world on the host. Its functions are declared by the other headers of this folder.
+// world.h -- declares the data of a world on the host. The other headers of this folder declare its functions.
 #ifndef WORLD_H
 #define WORLD_H
 #include "backend/backend.h"
@@ -21,14 +21,14 @@ typedef struct // host data of a body
 	int collidables;                       // number of collidables
 	int first_joint;                       // 1 + end (joint_ends.h) of its first joint, 0 for none
 	// m: largest distance from the center of mass to an anchor of a joint since the mass was set; if the user set the
-	// mass, also to a point of a solid shape.
+	// mass, also an upper bound of the distance to points of solid shapes
 	float arm;
 	int first_exclusion, exclusions; // 1 + end (exclusions.h) of its first exclusion, 0 for none; number of exclusions
 	int fields;                      // number of fields that the body carries
 	int target;                      // 1 + index of its target, 0 for none
 	int kinematic;                   // 1 + index of the body in the list of kinematic bodies, 0 for none
 	scree_pose stands, from;         // kinematic body: current pose; pose before its move to the last target
-	int64_t went;                    // Pipeline.steps at that move if the body started at rest, else -1
+	int64_t went;                    // Pipeline.steps after that move if the body was at rest before, else -1
 	bool still;                      // true: the velocity is 0
 	PendingEdits waiting;
 	bool marked; // within one call: true if the body is already in the batch
@@ -67,7 +67,7 @@ typedef struct // host data of a joint
 	int bodies[2];            // bodies a and b; 0 for the world
 	int next[2], previous[2]; // 1 + neighboring end in the list of each body, 0 for none
 	int64_t born;             // Pipeline.steps at its creation
-	int spot;                 // place of the joint among the joints of chains, -1 for none
+	int spot;                 // index of the joint in the pool chain_joints, -1 for none
 	int path;                 // index of the path, -1 for none
 	bool seeks;               // true: the search for the nearest part of the path must be repeated
 	bool restarts;            // true: the constraint begins again
@@ -76,9 +76,9 @@ typedef struct // host data of a joint
 	bool marked;              // within one call: true if the joint is already in the batch
 } HostJoint;
 
-typedef struct // sums for the mass of one dynamic body that gets collidables one by one, to add each collidable once
+typedef struct // sums for the mass of a dynamic body that gets collidables one by one; each collidable is added once
 {
-	double mass, x, y; // kg: total mass; kg m: sums of mass times center
+	double mass, x, y; // mass: total, kg; x, y: sums of mass times center, kg m
 	int body;          // index of the body, 0 for none
 	int last;          // last collidable of the body's list that is in the sums, -1 for none
 	int command;       // 1 + index of the pending COMMAND_MASS whose inertia is not yet computed, 0 for none
@@ -118,7 +118,7 @@ typedef struct // states of the blocks of one kind of item: bodies or collidable
 {
 	uint8_t* states;  // per block
 	int* active;      // numbers of the blocks that are not idle
-	int known, count; // number of blocks with a state; number of entries of active
+	int known, count; // known: number of blocks with a state; count: number of entries of `active`
 	int state_capacity, active_capacity;
 	bool stale;    // true: the list `active` must be computed again
 	bool settling; // true: idle_end must examine some block in this step or a later one
@@ -135,17 +135,17 @@ typedef struct // name of a collidable in events; the collidable may have been d
 typedef struct // events of the last step
 {
 	int reporters; // number of collidables that report events
-	// names of destroyed collidables, two per slot: the last after an even, and the last after an odd number of steps
+	// names of destroyed collidables, two per slot: the last after an even and the last after an odd number of steps
 	CollidableName* departed;
 	int departed_capacity;
-	bool fetched; // true: the lists below were read back after the last step
+	bool fetched; // true: the lists below were read back after the last step, or are lost
 	int counts[EVENT_LISTS], capacity[EVENT_LISTS];
 	ContactReport *began, *hits, *asked;
 	Word64* ended;
 	Word64* allowed; // pairs of collidables that the user approved since the last step, sorted
 	int allowed_count, allowed_capacity;
 	bool answered; // true: the user has approved or refused the pending contacts of the last step
-	bool lost;     // true: the lists above are lost, because a step began and failed
+	bool lost;     // true: the events of the last step are lost, because a later step began and failed
 	char* rows;    // rows of the last scree_world_get_events
 	int rows_capacity;
 } Reports;
@@ -155,7 +155,7 @@ typedef struct // the overlap of a collidable with a sensor, in one step
 	int sensor, visitor; // indices of collidables
 	float time;          // time of the event (begin or end of the visit), as a fraction of the step, 0 to 1
 	float left;          // fraction of the step: time at which the visit ended; unused if `lasts` is true
-	bool lasts;          // true: the visit has not ended at the end of the step
+	bool lasts;          // true: the visit lasts beyond the end of the step
 	bool before;         // true: the indices refer to the collidables that existed before the step
 } Visit;
 
@@ -168,7 +168,7 @@ typedef struct
 	Visit* visits; // visits that had not ended at the end of the last step, sorted by sensor, then by visitor
 	Visit* next;   // space in which compare_visits makes the next list of visits
 	int visit_count, visit_capacity, next_capacity;
-	Visit *began, *ended; // visits that began and ended in the last step
+	Visit *began, *ended; // visits that began in the last step; visits that ended in it
 	int began_count, ended_count, began_capacity, ended_capacity;
 	Visit* found; // visits found in the step, converted from the query results below
 	QueryResult* rows;
@@ -220,7 +220,7 @@ struct scree_world
 	Slots attribute_slots;
 	scree_attribute_def* attributes; // per slot
 	HostAttribute* host_attributes;  // per slot
-	int* attribute_table;            // hash table with open addressing, by name: 1 + slot of the attribute, 0 if empty
+	int* attribute_table;            // hash table with open addressing, by HostAttribute.name: 1 + slot, 0 if empty
 	int attribute_capacity, host_attribute_capacity, attribute_table_size;
 	Slots joints;
 	HostJoint* host_joints; // per slot

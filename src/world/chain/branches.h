@@ -6,8 +6,8 @@
 
 size_t branches_bytes(size_t joints, size_t bodies);
 
-// Finds all branches. Must be called before the search for chains. memory: branches_bytes of zeros, aligned to
-// pointers; the layout later keeps parts of it.
+// Finds all branches. Must be called before the search for chains. memory: branches_bytes() bytes that are zero,
+// aligned for pointers; afterwards s->layout points into this memory.
 void branches_find(ChainSearch* s, void* memory);
 
 #endif

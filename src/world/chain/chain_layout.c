@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// chain_layout.c -- places the joints of chains in device memory: a chain alone in rows, or chains side by side.
-// One worker solves chains of similar lengths faster side by side, one per lane. With more workers than chains, chains
-// in rows are faster, because each worker gets a chain. The layout with the lower estimated cost of a pass is used.
+// chain_layout.c -- places the joints of chains in device memory: a chain alone in several rows, or several chains side
+// by side. One worker solves chains of similar lengths faster side by side, one per lane. With more workers than
+// chains, chains alone are faster, because each worker gets a chain. The layout with the lower estimated cost is used.
 #include "world/chain/chain_layout.h"
 #include "backend/backend.h"
 #include "platform/threads.h"
@@ -9,12 +9,13 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-// Costs of a pass over a block of joints, relative to one joint solved alone; measured on CPUs with 16 and 8 lanes.
+// Costs of a pass over a block of joints, one per lane: of a chain alone, and of chains side by side. The unit is the
+// cost of one joint solved alone. Measured on CPUs with 16 and 8 lanes.
 #define ROW_COST  12
 #define SIDE_COST 8
-#define APART     0.9 // ranges get separate blocks if that costs less than this fraction of the cost with common blocks
-// All chains are placed alone if that costs less than this fraction of the cost of the other layout. The fraction is
-// below 1 because the workers in a pass wait for each other.
+#define APART     0.9 // separate blocks are used if the cost is less than this fraction of that with common blocks
+// All chains are placed alone if the cost is less than this fraction of the cost with chains side by side. The fraction
+// is below 1 because the workers in a pass wait for each other, which the estimated costs do not include.
 #define ALONE 0.75
 
 typedef struct
@@ -22,8 +23,8 @@ typedef struct
 	ChainLayout* layout;
 	int lanes, groups;
 	bool alone; // true: all chains are placed alone
-	int parts;  // number of ranges that may share blocks
-	// latest blocks with chains side by side: spot of joint 0, distance to the spot of joint 1, number of ranges
+	int parts;  // maximum number of ranges in a block
+	// latest block with chains side by side: first spot, number of spots from joint 0 to joint 1, number of ranges
 	int column, column_odds, column_parts;
 } ChainPlacement;
 
@@ -31,7 +32,7 @@ static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * l
 
 static int row_length(int joints, int bits) { return ((joints - 1) >> bits) + 1; }
 
-// Chooses the number of rows for which a chain placed alone costs least. Sets row->bits and row->cost.
+// Chooses the number of rows with which a chain placed alone has the lowest cost. Sets row->bits and row->cost.
 static void choose_rows(ChainRow* row, int lanes)
 {
 	for (int bits = 1; bits == 1 || (lanes > 1 && 1 << bits <= row->count); ++bits)
@@ -45,8 +46,8 @@ static void choose_rows(ChainRow* row, int lanes)
 	}
 }
 
-// Returns the number of chains from chain k on to place side by side: at most one per lane, or 1 if they cost less when
-// placed alone. Sets *cost to their cost, which is that of the first chain if they are side by side: it is the longest.
+// Returns the number of chains from chain k on to place side by side: at most one per lane, or 1 if they cost less
+// alone. Sets *cost to their cost: side by side, they cost as much as the first chain, which is the longest.
 static int side_by_side(const ChainPlacement* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
@@ -69,8 +70,8 @@ static bool begins_item(ChainPlacement* s, int k, int count)
 	return !shares;
 }
 
-// Returns the cost of a pass over all chains: the cost of the worker with the most work. If there are more than
-// MAX_WORKERS work-groups, it is the mean cost per work-group, but at least the cost of the longest item.
+// Returns the cost of a pass over all chains: that of the worker with the most work. With more than MAX_WORKERS
+// work-groups, returns the mean cost per work-group, or the cost of the most expensive item if it is higher.
 static double cost_of_all(ChainPlacement* s)
 {
 	double loads[MAX_WORKERS] = {0}, sum = 0, most = 0, item = 0;
@@ -91,8 +92,8 @@ static double cost_of_all(ChainPlacement* s)
 	return s->groups > counted ? fmax(sum / s->groups, most) : most;
 }
 
-// Chooses the number of ranges that may share a block, and returns the cost of a pass. A block has one worker, because
-// two workers would write to the same cache lines. Separate blocks take more memory, but distribute the work better.
+// Chooses the maximum number of ranges in a block: one or all that fit. Returns the cost of a pass. A block has one
+// worker, as two would write to the same cache lines. Separate blocks take more memory, but distribute work better.
 static double choose_parts(ChainPlacement* s)
 {
 	int most = s->parts;
@@ -113,8 +114,8 @@ static ChainRange place_alone(ChainPlacement* s, const ChainRow* row)
 	return at;
 }
 
-// Places chains side by side. Several ranges share a block of MAX_LANES columns: chains are sorted by length, so the
-// first chain in a block is the longest.
+// Places chains side by side, and returns their range. count: number of joints of the longest chain. If `begins` is
+// false, uses free columns of the latest block, whose chains are at least as long, because chains are sorted by length.
 static ChainRange place_side(ChainPlacement* s, int count, bool begins)
 {
 	int length = (count + 1) / 2;
@@ -128,7 +129,7 @@ static ChainRange place_side(ChainPlacement* s, int count, bool begins)
 	return (ChainRange){first, count, s->column_odds, MAX_LANES, length, 1, 0, 0};
 }
 
-// Sorts carried chains last, longer chains before shorter chains, and chains of one length in the order of discovery.
+// Orders chains: carried chains last, longer chains first, and chains of equal length in the order of discovery.
 static int compare_rows(const void* a, const void* b)
 {
 	const ChainRow *first = a, *second = b;

@@ -6,11 +6,12 @@
 #include "world/world.h"
 #include <math.h>
 
-// Maximum ratio of masses solved together. With a larger ratio, the sum of two inverse masses keeps no digit of the
-// smaller one, and impulses are wrong by any factor. Other joints are solved one by one: they yield, but stay finite.
+// Maximum ratio of the masses of bodies whose joints are solved together. With a larger ratio, the sum of two inverse
+// masses keeps no digit of the smaller one, and impulses are wrong by any factor. If solved one by one, joints yield,
+// but stay finite.
 #define MOST_RATIO 1e5f
 
-#define BODY_OWNED    1 // the body is at the end of a chain
+#define BODY_OWNED    1 // the body is at the end of a chain, even if that chain was then not used
 #define BODY_BRANCHED 2 // the body is in a branch
 #define BODY_IN_TREE  4 // the joints connected to the body form a tree
 #define BODY_IN_NET   8 // the joints connected to the body form no tree
@@ -19,13 +20,14 @@ typedef struct
 {
 	const scree_world* world;
 	ChainLayout layout;
-	uint8_t* seen;  // per joint: 1 if the search has decided: the joint is in a chain, in a branch, or in neither
+	uint8_t* seen;  // per joint: 1 after the search has decided whether the joint is in a chain or a branch
 	uint8_t* marks; // per body: BODY_* flags
 	int joints;     // number of joints in all chains found so far
 } ChainSearch;
 
-// Returns whether a joint has a lock and acts on its bodies. Excludes couplings, which do not hold frames together.
-// Excludes joints on paths, because the axes of a path turn, while the equations of a chain keep their axes.
+// Returns whether a joint may be in a chain or branch: it is active, has a lock, and has a dynamic body. Excludes
+// couplings, which do not hold frames together, and joints on paths: a chain's equations have fixed axes, but those of
+// a path turn.
 bool chain_acts(const scree_world* world, int joint);
 
 static inline int chain_other_body(const scree_world* world, int joint, int body)

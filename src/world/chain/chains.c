@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// chains.c -- finds chains: joints in a row, which are solved together. A chain passes through bodies that have two
-// joints with locks. No movable body belongs to two chains. Ropes and bridges are chains, nets are not. A short chain
-// that has similar masses gains nothing, so it is not used. The choice depends only on the user's calls, so it is the
-// same on every device; only the placement in memory depends on the device.
+// chains.c -- finds chains: joints in a row, which are solved together. A chain passes through bodies that have exactly
+// two joints with locks. No movable body belongs to two chains. Ropes and bridges are chains, nets are not. A short
+// chain of bodies with similar masses gains nothing, so it is not used. The choice depends only on the user's calls, so
+// it is the same on every device; only the placement in memory depends on the device.
 #include "world/chain/chains.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -14,7 +14,8 @@
 #define LEAST_JOINTS 8
 #define LEAST_RATIO  8.0f
 
-// Returns the other joint of a body that can move, is in no branch and has exactly two joints; -1 for any other body.
+// Returns the joint that follows `joint` in a chain through a body. Returns -1 unless the body can move, is in no
+// branch, and has exactly two joints that may be in chains.
 static int next_joint(const ChainSearch* s, int body, int joint)
 {
 	const scree_world* world = s->world;
@@ -32,8 +33,8 @@ static int next_joint(const ChainSearch* s, int body, int joint)
 	return count == 2 ? next : -1;
 }
 
-// Follows a chain from a joint in the direction of *body. Returns the last joint, and sets *body to the body at its far
-// end. If the chain is a ring, returns the joint before the first.
+// Follows a chain from `joint` through *body to its end. Returns the last joint, and sets *body to the body at which
+// the chain ends. If the chain is a ring, the last joint is the one before `joint`.
 static int chain_end(const ChainSearch* s, int joint, int* body)
 {
 	for (int first = joint;;)
@@ -46,8 +47,8 @@ static int chain_end(const ChainSearch* s, int joint, int* body)
 	}
 }
 
-// Lists a chain's joints from the joint `first` on, and returns their number. *at: body before this joint; set to the
-// body at the end of the chain.
+// Lists the joints of a chain from the joint `first` on, and returns their number. *at: body at which the chain begins;
+// set to the body at which it ends.
 static int chain_list(ChainSearch* s, int first, int* at)
 {
 	int count = 0;
@@ -60,8 +61,8 @@ static int chain_list(ChainSearch* s, int first, int* at)
 	return count;
 }
 
-// Returns whether a chain may end at a body: it cannot move, or is in no branch and at the end of no other chain. Marks
-// a movable body as taken.
+// Returns whether a chain may end at a body: the body cannot move, or is in no branch and at the end of no other chain.
+// A movable body is marked as taken.
 static bool own(ChainSearch* s, int body)
 {
 	if (!chain_moves(s->world, body))
@@ -78,7 +79,8 @@ static float chain_mass(const scree_world* world, int body)
 }
 
 // Returns the largest ratio of load to mass among the inner bodies of a short chain. The load of a body is the
-// smaller of two masses: the mass of the heaviest body before it in the chain, and that of the heaviest body after it.
+// smaller of two masses: the largest before it and the largest after it in the chain. Immovable bodies have infinite
+// mass.
 static float load_ratio(const scree_world* world, const int* row, int count)
 {
 	float masses[LEAST_JOINTS], before = 0.0f, ratio = 0.0f;
@@ -118,7 +120,7 @@ static void add_chain(ChainSearch* s, int joint)
 	bool ring = next_joint(s, first_body, first) >= 0;
 	int count = chain_list(s, first, &last_body);
 	if (ring)
-		--count; // the last joint shares bodies with the first one, so it is solved outside the chain
+		--count; // the last joint leads back to the first one, so it is solved outside the chain
 	else
 	{
 		begin = !own(s, first_body);
@@ -132,7 +134,7 @@ static void add_chain(ChainSearch* s, int joint)
 	float ratio = row_ratio(world, row, joints);
 	if (ratio > MOST_RATIO || (joints < LEAST_JOINTS && ratio < LEAST_RATIO))
 		return;
-	// true for a cart on light wheels: the ends of the chain are light, but all bodies between them are heavy
+	// true if no inner body is between two much heavier bodies, as in a cart on light wheels
 	bool carried = joints < LEAST_JOINTS && load_ratio(world, row, joints) < LEAST_RATIO;
 	s->layout.rows[s->layout.count++] = (ChainRow){.first = begin, .count = joints, .carried = carried};
 	s->joints = begin + joints;

@@ -4,7 +4,7 @@
 #define CHAINS_H
 #include "world/world.h"
 
-// Finds the chains again if joints or masses changed, uploads them, and marks joints with new spots as pending.
+// Finds and uploads chains and branches again if joints or masses changed. Marks joints with new spots as pending.
 scree_status chains_update(scree_world* world);
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // auto.c -- device "auto": a world begins on the CPU, and moves to the device on which its steps take less time. A
 // thread opens the GPU when the time that the GPU may save in the expected steps exceeds the time to open it. A trial
-// on the other device begins when its cost is a small part of the time that the world has worked since the last trial.
-// Both devices compute the same bits, so measured times may decide.
+// measures a few steps on the other device. The next one begins when the world has worked many times as long as the
+// last trial took. Both devices compute the same bits, so measured times may decide.
 #include "world/device/auto.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -16,14 +16,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-// A world is expected to make HORIZON further steps, or as many as it has made so far if that number is larger.
+// A world is expected to make HORIZON more steps, or as many more as it has already made if that number is larger.
 #define HORIZON 500
 
-// ms: assumed time of a small world's step on a GPU. An H200 takes 0.13 ms for 10,000 boxes (scene pyramids) or fewer.
+// ms: assumed minimum time of a step on a GPU. An H200 takes 0.13 ms for 10,000 boxes (scene pyramids) or fewer.
 #define LEAST_STEP 0.15
 
-// ms times threads per body: assumed time of a step on the CPU before one is measured. It is less than the measured
-// time of any scene (pyramids on 16 threads: 5e-4), so only very large worlds open the GPU before their first step.
+// ms: assumed time of a step on one thread per body, before one is measured; n threads take 1/n of it. It is less than
+// the measured time of any scene (pyramids on 16 threads: 5e-4), so only very large worlds open the GPU before step 1.
 #define BODY_STEP 4e-4
 
 // ms: assumed time to open a GPU. An idle machine with an H200 and a cached program takes 215 to 235 ms.
@@ -32,13 +32,13 @@
 #define MOVE_SPEED 4e6 // bytes per ms: assumed speed of copying a world, less than that of the bus of any fast GPU
 
 // Number of steps of a trial. The time of the first step is ignored, because the caches are cold. A trial ends early
-// when it has taken as long as TRIAL_LIMIT steps on the previous device.
+// when it has taken longer than TRIAL_LIMIT steps on the previous device.
 #define TRIAL_STEPS 4
 #define TRIAL_LIMIT 20
 
 // The next trial begins when the world has worked PATIENCE times as long as the last trial took. LIKELY_PATIENCE times
 // suffice if a step on the other device is predicted to take less than LIKELY of the present time. Each consecutive
-// failed trial doubles the delay.
+// failed trial, up to MOST_FAILURES, doubles the delay, unless the work has doubled or halved since the last one.
 #define PATIENCE        100
 #define LIKELY_PATIENCE 20
 #define LIKELY          0.8 // fraction of the time of a step on the present device
@@ -69,7 +69,7 @@ static int compare_times(const void* a, const void* b)
 }
 
 // ms: Returns a quantile of the times of the last steps; the mean would change with each step that other work delays.
-// share: 0 for the shortest time, 0.5 for the median. The first step after a move counts only if it is the only one.
+// share: 0 for the shortest time, 0.5 for the median. Ignores the first step after a move, unless it is the only one.
 static double meter_step(const StepMeter* m, double share)
 {
 	double sorted[RECENT_STEPS];
@@ -91,7 +91,8 @@ static double least_step(const scree_world* world, const Backend* b)
 	return b->distant ? LEAST_STEP : BODY_STEP * world->bodies.alive / b->threads;
 }
 
-// ms: Returns the predicted time of a step on the other device: on a CPU proportional to the work, on a GPU constant.
+// ms: Returns the predicted time of a step on the other device: the last measured time, on a CPU in proportion to the
+// number of bodies and contacts. Returns least_step() before the first measurement.
 static double predicted_step(scree_world* world)
 {
 	const Backend* other = world->auto_device.other;
@@ -147,7 +148,7 @@ static bool trial_pays(scree_world* world)
 	const StepMeter* m = meter_of(world, here);
 	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
 		return false;
-	// requires three times the world's memory, because the world may grow, and a step that fails cannot be undone
+	// needs memory for three such worlds: a world may grow, and a step that runs out of memory cannot be undone
 	if (there->memory > 0 && 3 * here->bytes > there->memory)
 		return false;
 	double step = meter_step(m, MEDIAN), predicted = predicted_step(world);

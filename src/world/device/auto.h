@@ -8,7 +8,8 @@
 void auto_open(scree_world* world, CompareDevice* compare);
 void auto_close(scree_world* world);
 
-// Records the time of the last step, and moves the world if that pays. Called before a step. Fails if the world breaks.
+// Records the time of the last step; begins or ends a trial. Called before steps with dt above 0. Fails if the world
+// breaks.
 scree_status auto_choose(scree_world* world);
 
 // auto_clock returns the current time, ms. auto_count adds the time since `since` to the time of the current step.

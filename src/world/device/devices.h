@@ -10,7 +10,7 @@ int devices_list(scree_device* devices, int capacity);
 // Opens the device that a definition names. The name "auto" opens the CPU.
 scree_status device_open(const scree_world_def* def, Backend** backend);
 
-// Opens the first GPU whose reported arithmetic gives the same bits as the CPU, if there is such a GPU.
+// Opens the first GPU whose reported arithmetic gives the same bits as the CPU. Fails if there is none.
 scree_status device_open_gpu(const scree_world_def* def, Backend** backend);
 
 #endif

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// idle.c -- finds the blocks of bodies and of collidables that no step changes, which a CPU skips.
+// idle.c -- finds the blocks of bodies and of collidables that no step changes, so that a CPU can skip them.
 #include "world/device/idle.h"
 #include "world/memory.h"
 #include "world/objects/collidables.h"
 #include "world/world.h"
 
-// states of a block; all other states are the number of steps until the block is examined
+// states of a block; any other state is the number of steps until idle_end examines the block
 #define IDLE  0
 #define MOVES 255
 
-// number of steps after an edit until no value changes: one to move boxes, one to clear the marks of moved boxes
+// number of steps after an edit in which static items may change: one moves boxes, one clears the marks of moved boxes
 #define SETTLING 2
 
 static void touch(IdleBlocks* list, int index)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// idle.h -- finds the blocks of bodies and of collidables that no step changes, which a CPU skips. For unchanged static
-// bodies, the kernels would only write values that are already stored. So a block is idle if it has only static items
-// and free slots, and some steps have passed since its last change. Skipping it changes no bit of the results.
+// idle.h -- finds the blocks of bodies and of collidables that no step changes, so that a CPU can skip them. For
+// unchanged static bodies, kernels would only write values that are already stored. So a block is idle if it has only
+// static items and free slots, and some steps have passed since its last change. Skipping it changes no results.
 #ifndef IDLE_H
 #define IDLE_H
 #include "scree/scree.h"

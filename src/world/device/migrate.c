@@ -14,7 +14,7 @@
 
 static int smaller(int a, int b) { return a < b ? a : b; }
 
-// Returns the number of items of a kind that outlive a step. Slots of pending edits beyond the capacity do not count.
+// Returns the number of items of a kind that outlive a step. Slots beyond the capacity exist only in pending edits.
 static int lasting_items(const scree_world* world, Per per)
 {
 	const Counters* c = &world->pipeline.counters;

@@ -5,7 +5,8 @@
 #include "backend/backend.h"
 
 // Copies the pools to another device, which may have contained a world, and sets world->backend to it. The old device
-// stays open, and belongs to the caller. On failure the world stays there, and breaks only if that device has failed.
+// stays open, and belongs to the caller. On failure the world stays there, and breaks only if the old device has
+// failed.
 scree_status world_move(scree_world* world, Backend* to);
 
 #endif

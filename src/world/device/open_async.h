@@ -10,7 +10,7 @@ AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, Comp
 bool async_open_done(const AsyncOpen* opening);
 
 // Waits for the thread, and releases `opening`. Sets *backend to the open device, and *milliseconds to the time to open
-// it, without `compare`. If opening or `compare` failed, sets *backend to null, and fails with the thread's message.
+// it, without that of `compare`. If one of the two failed, sets *backend to null and fails with its message.
 scree_status async_open_end(AsyncOpen* opening, Backend** backend, double* milliseconds);
 
 #endif

@@ -5,7 +5,7 @@
 #include "backend/backend.h"
 #include "scree/scree.h"
 
-#define SHARED_LEAST 32 // minimum size in bytes: one row, query or query result
+#define SHARED_LEAST 32 // bytes: minimum size of shared memory: one row, query or query result
 
 // Begins to share memory with other programs. what: name of the use in messages, "rows" or "queries".
 scree_status world_share(scree_world* world, const char* function, const char* what, SharedUse use,

@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-// m: bounds of the margin of an enlarged box. Between the bounds, the margin is an eighth of the shape's size. With a
-// larger margin, more pairs are found that do not touch; with a smaller one, bodies leave their boxes more often.
+// m: bounds of the margin of an enlarged box; between them, the margin is an eighth of the longer side of a box around
+// the shape. A larger margin finds more pairs that do not touch; with a smaller one, bodies leave their boxes often.
 #define LEAST_MARGIN 0.01f
 #define MOST_MARGIN  0.1f
 
@@ -35,7 +35,7 @@ static int* find(const scree_world* world, uint32_t name, const scree_attribute_
 	}
 }
 
-// Removes an entry from the table. Moves the entries behind it back toward the positions that their hashes give.
+// Removes an entry from the table. Moves later entries into the gap if needed: a search ends at the first empty entry.
 static void forget(scree_world* world, int* entry)
 {
 	int* table = world->attribute_table;

@@ -65,8 +65,8 @@ scree_status collidables_allocate(scree_world* world, int* slots, int count)
 	return SCREE_OK;
 }
 
-// Records a changed link from the collidable `previous` to the next one in its list, unless its whole row is pending.
-// Does nothing if `previous` is -1.
+// Records a changed link from the collidable `previous` to the next one in its list, unless the whole row of `previous`
+// is pending. Does nothing if `previous` is -1.
 static void list_changed(scree_world* world, int previous)
 {
 	if (previous < 0 || world->host_collidables[previous].waiting.row > 0)

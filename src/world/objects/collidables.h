@@ -15,7 +15,7 @@ scree_status collidables_allocate(scree_world* world, int* slots, int count);
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
 
-int collidable_kind(const scree_world* world, int index); // KIND_DEAD if destroyed, or if the body is disabled
+int collidable_kind(const scree_world* world, int index); // kind; KIND_DEAD if destroyed, or if its body is disabled
 int device_kind(const scree_world* world, int index);     // kind as stored on the device, with KIND_SENSOR for a sensor
 int kind_on_body(const scree_world* world, int body);     // kind of a collidable on a body; body: -1 for no body
 int kind_of_type(scree_body_type type);

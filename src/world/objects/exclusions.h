@@ -4,7 +4,7 @@
 #define EXCLUSIONS_H
 #include "world/world.h"
 
-// Returns the slot of the exclusion that an end belongs to. An end is 1 + 2 * slot + side (body 0 or 1), 0 for none.
+// Returns the slot of the exclusion to which an end belongs. End 1 + 2 * slot + k belongs to body k; 0 is no end.
 static inline int exclusion_of_end(int end) { return (end - 1) / 2; }
 static inline int exclusion_next(const scree_world* world, int end)
 {

@@ -7,17 +7,17 @@
 
 scree_status fields_reserve(scree_world* world, const char* function);
 
-// field_make returns a new slot. field_put sets the checked definition of a field. body: -1 for a field in the world.
+// field_make returns a new slot. field_put sets a checked definition. body: body that carries the field, -1 for none.
 int field_make(scree_world* world);
 void field_put(scree_world* world, int index, const scree_field_def* def, int body);
 void field_remove(scree_world* world, int index);
 
-// Remove the fields of a body that will be destroyed, and mark the fields of a body that was enabled or disabled.
+// Remove the fields of a body that will be destroyed; mark fields for the upload if a body was enabled or disabled.
 void fields_body_gone(scree_world* world, int body);
 void fields_body_changed(scree_world* world, int body);
 scree_status upload_fields(scree_world* world);
 
-// Returns the number of active fields. *shapes: whether some active field acts on shapes.
+// Returns the number of active fields at the last upload. *shapes: set to whether one of them acts on shapes.
 int fields_acting(const scree_world* world, bool* shapes);
 
 uint64_t fields_hash(const scree_world* world);

@@ -73,8 +73,8 @@ scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_
 	return SCREE_OK;
 }
 
-// Returns the generation in an attribute's handle. For the first attribute in a slot, it is a hash of its values, so
-// that handles of another world are accepted only for equal values. Later attributes in the slot have other numbers.
+// Returns the generation in an attribute's handle: a hash of its values, combined with the number of earlier attributes
+// in the slot. So handles of another world are refused if the values differ, and handles of earlier attributes always.
 static uint32_t generation_of(const scree_world* world, int index)
 {
 	uint32_t before = world->attribute_slots.generation[index] >> 1;

@@ -12,7 +12,7 @@ scree_joint joint_handle(const scree_world* world, int index);
 scree_path path_handle(const scree_world* world, int index);
 scree_field field_handle(const scree_world* world, int index);
 
-// Returns the handle of the body of a collidable; a null handle if it has no body.
+// Returns the handle of the body of a collidable; a null handle if the collidable has no body.
 scree_body owner_handle(const scree_world* world, int collidable);
 
 bool body_is_valid(const scree_world* world, scree_body body);
@@ -29,7 +29,7 @@ scree_status check_path(const scree_world* world, ArgumentPlace at, const char* 
 scree_status check_field(const scree_world* world, ArgumentPlace at, scree_field field, int* index);
 scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_collidable collidable, int* index);
 
-// Checks a handle of a body that may have been destroyed. Refuses null, and any body that this world never had.
+// Checks a handle of a body that may have been destroyed. Refuses null, and a handle that this world never returned.
 scree_status check_body_once(const scree_world* world, ArgumentPlace at, const char* member, scree_body body);
 
 Names collidable_names(const scree_world* world);

@@ -158,7 +158,7 @@ static bool moves(const HostBody* body) { return body->type == SCREE_BODY_DYNAMI
 #define LINEAR_DRIVES \
 	(JOINT_SPRING(JOINT_ALONG) | JOINT_MOTOR(JOINT_ALONG) | JOINT_SPRING(JOINT_ACROSS) | JOINT_MOTOR(JOINT_ACROSS))
 
-// Limits the coordinate along an open path to the range from 0 to the length of the path.
+// Limits the coordinate along an open path, and its target if locked, to the range from 0 to the length of the path, m.
 static scree_joint_coordinate along_open(const scree_joint_coordinate* from, float length)
 {
 	scree_joint_coordinate along = *from;
@@ -186,7 +186,7 @@ static int joint_modes(const scree_joint_def* def)
 	return modes | JOINT_COUPLED;
 }
 
-// Returns side k of a coupling. For other joints, whose sides are not checked and may not be finite, returns a default.
+// Returns side k of a coupling. For other joints returns a default: their sides are not checked, and may not be finite.
 static scree_joint_side side_of(const scree_joint_def* def, int k)
 {
 	return joint_couples(def->type) ? def->sides[k] : (scree_joint_side){.base.rotation.c = 1.0f};
@@ -254,7 +254,7 @@ static bool is_unlocked(const scree_world* world, int index)
 	return false;
 }
 
-// Returns whether a joint has a body that no force can move.
+// Returns whether at least one side of a joint is the world or a body that is not dynamic.
 static bool is_tether(const scree_world* world, int index)
 {
 	const int* bodies = world->host_joints[index].bodies;

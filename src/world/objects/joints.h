@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// joints.h -- keeps the slots of joints and their lists by body, and uploads joints. An upload writes the whole row,
-// because the host has all data of a joint except whether it broke.
+// joints.h -- keeps the slots of joints and their lists by body, and uploads joints. An upload writes all data of a
+// joint: the host has everything except whether the joint broke.
 #ifndef JOINTS_H
 #define JOINTS_H
 #include "world/objects/joint_ends.h"
 
 scree_status joints_reserve(scree_world* world, const char* function, int more);
 
-// Passes the anchors of a joint to its bodies, to raise their inertia. The caller has reserved memory for two commands.
+// Records the anchors of a joint, which may raise the inertia of its bodies. Needs reserved memory for two commands.
 void joint_anchors(scree_world* world, int index);
 
 // Creates a joint, and returns its slot. The caller has reserved memory, and checked the definition.
 int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int body_b);
 void joint_remove(scree_world* world, int index);
 
-// Marks a joint for the upload. restarts: the constraint must end and begin again, without impulses.
+// Marks a joint for the upload. restarts: its constraint begins again, without impulses, and chains are found again.
 void joint_changed(scree_world* world, int index, bool restarts);
 
-// Restarts the joints of a body that has become movable or immovable.
+// Restarts the joints of a body whose type has changed, or which was enabled or disabled.
 void body_joints_changed(scree_world* world, int body);
 void body_joints_remove(scree_world* world, int body);
 

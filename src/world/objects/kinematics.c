@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// kinematics.c -- keeps the list of kinematic bodies. Continuous collision tests each body of a short list.
+// kinematics.c -- keeps the list of kinematic bodies. Continuous collision tests all of them if they are few.
 #include "world/objects/kinematics.h"
 #include "world/memory.h"
 #include "world/world.h"

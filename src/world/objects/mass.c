@@ -7,7 +7,7 @@
 #include "world/shape/geometry.h"
 #include <math.h>
 
-// Minimum of the squared radius of gyration, as a fraction of the squared longest arm of a body. With a smaller
+// Minimum of the squared radius of gyration of a body, as a fraction of the square of HostBody.arm. With a smaller
 // fraction, equations of joints keep no digit of the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, got 1e25
 // times faster in a step.
 #define LEAST_GYRATION 1.0e-3
@@ -17,7 +17,7 @@ static scree_mass massless(scree_body_type type)
 	return (scree_mass){.mass = type == SCREE_BODY_DYNAMIC ? 1.0f : 0.0f};
 }
 
-// Adds the collidables of a body to its sums, beginning after the last one that the sums contain.
+// Adds to the sums those collidables of their body that the sums do not contain yet.
 static void add_parts(const scree_world* world, MassSums* sums)
 {
 	int k = sums->last < 0 ? world->host_bodies[sums->body].first_collidable : world->host_collidables[sums->last].next;
@@ -42,7 +42,7 @@ static scree_mass mass_of_sums(const MassSums* sums)
 	return (scree_mass){(float)sums->mass, 0.0f, {(float)(sums->x / sums->mass), (float)(sums->y / sums->mass)}};
 }
 
-// Returns the inertia about the common center of mass, by the parallel axis theorem.
+// Returns the inertia about the common center of mass, by the parallel axis theorem; 0 if the sum of masses is 0.
 static float inertia_of_sums(const scree_world* world, const MassSums* sums)
 {
 	if (sums->mass == 0.0)
@@ -95,8 +95,8 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-// m: Returns the largest distance from the center of mass to an anchor of a joint. If the user set the mass, the
-// points of solid shapes are included, because this mass may not fit them.
+// m: Returns the largest distance from the center of mass to an anchor of a joint. If the user set the mass, also
+// includes a bound of the distance to points of solid shapes, because this mass may not fit them.
 static float longest_arm(const scree_world* world, const HostBody* host)
 {
 	float most = 0.0f;
@@ -165,7 +165,7 @@ static void send_mass(scree_world* world, int body, scree_mass mass)
 	HostBody* host = world->host_bodies + body;
 	host->mass = mass;
 	host->arm = longest_arm(world, host);
-	world->chains_stale |= host->first_joint > 0; // ratios of masses decide which joints are chains
+	world->chains_stale |= host->first_joint > 0; // chains depend on the ratios of masses
 	mass_command(world, body);
 }
 
@@ -213,7 +213,8 @@ void mass_settle(scree_world* world)
 	edits_whole(world, continuous_command(world, sums->body));
 }
 
-// Adds new collidables of a dynamic body to its mass. If the sums are those of another body, begins new sums.
+// Adds new collidables of a dynamic body to its mass; the inertia is then pending. If the sums are those of another
+// body, computes the inertia of that body, and begins new sums.
 static void gain(scree_world* world, int body)
 {
 	MassSums* sums = &world->mass_sums;

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 // path_samples.c -- computes the samples of a path: a cubic spline through its points, and its arc length. The
 // curvature is continuous, so the force on a body that follows the spline has no jumps. The parameter is the sum of the
-// distances between successive points. Doubles with + - * / and square roots are used, nothing else, so every machine
-// computes the same bits. This work is based on: Carl de Boor, A Practical Guide to Splines, 1978: slopes of a spline,
-// and its ends; Michael Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
+// distances between successive points. Only + - * / and square roots of doubles are used, so every machine computes the
+// same bits. This work is based on: Carl de Boor, A Practical Guide to Splines, 1978: slopes of a spline, and its ends;
+// Michael Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-#define MOST_TURN 1.0 // rad: maximum turn of the tangent between two samples; limits the curvature of cusps
+#define MOST_TURN 1.0 // rad: maximum of curvature times length to the next sample; cusps have infinite curvature
 
 typedef struct // vector of doubles
 {
 	double x, y;
 } Double2;
 
-typedef struct // equations for the slopes m: before[k] m[k - 1] + own[k] m[k] + behind[k] m[k + 1] = right[k]
+typedef struct // equations for the slopes m: before[k] m[k - 1] + own[k] m[k] + behind[k] m[k + 1] = slope[k]
 {
-	double *before, *own, *behind, *length; // length: distance from each point to the next
-	Double2 *slope, *wrap;                  // slope: right sides, later the solution; wrap: terms that close a ring
+	double *before, *own, *behind, *length; // length: distance from each point to the next, m
+	Double2 *slope, *wrap;                  // slope: right sides, later the slopes; wrap.x: correction for a ring
 } System;
 
 static System system_in(double* work, int count)
@@ -32,8 +32,8 @@ static Double2 chord(const scree_vec* points, int count, int k)
 	return (Double2){(double)b.x - a.x, (double)b.y - a.y};
 }
 
-// Sets up the equations. The second derivative is continuous at inner points; at an open end it equals that of the next
-// point.
+// Sets up the equations. The second derivative is continuous at inner points; at an end of an open path it equals that
+// at the neighboring point.
 static void set_up(const scree_vec* points, int count, bool closed, System* s)
 {
 	for (int k = 0; k < count; ++k)
@@ -63,8 +63,8 @@ static void set_up(const scree_vec* points, int count, bool closed, System* s)
 	s->slope[end] = (Double2){(1.0 + both) * last.x / s->length[end - 1], (1.0 + both) * last.y / s->length[end - 1]};
 }
 
-// Solves the equations by elimination. The equations of a ring are first solved without their two corner elements, then
-// corrected for them. Source: Jack Sherman, Winifred Morrison, 1950.
+// Solves the equations by elimination. For a ring, solves them without the two corner elements of the matrix, then
+// corrects the solution for these. Source: Jack Sherman, Winifred Morrison, 1950.
 static void solve(int count, bool closed, System* s)
 {
 	int end = count - 1;
@@ -133,7 +133,7 @@ static double pace_at(const Cubic* c, double t)
 	return sqrt(v.x * v.x + v.y * v.y);
 }
 
-// Returns the length of a span from t = `from` to `from` + `share`, by Gauss quadrature with three points.
+// m: Returns the length of a cubic from t = `from` to `from` + `share`, by Gauss quadrature with three points.
 static double length_of(const Cubic* c, double from, double share)
 {
 	static const double offset = 0.7745966692414834; // sqrt(3 / 5)
@@ -142,7 +142,7 @@ static double length_of(const Cubic* c, double from, double share)
 	return share * sum / 18.0;
 }
 
-// Returns the sample of a span at parameter t. chord_length: of the span; along, length: values of these members.
+// Returns the sample of a cubic at t. chord_length: distance between its ends, m. along, length: as in PathSample.
 static PathSample sample_at(const Cubic* c, double t, double chord_length, double along, double length)
 {
 	Double2 v = speed_at(c, t), a = {2.0 * c->m2.x + 6.0 * t * c->m3.x, 2.0 * c->m2.y + 6.0 * t * c->m3.y};

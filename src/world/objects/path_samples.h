@@ -6,8 +6,8 @@
 #include "scree/scree.h"
 #include <stdbool.h>
 
-// Number of samples per span, which goes from one point to the next. Cubics between samples add an error: on a circle,
-// (angle between samples)^4 / 384 of its radius, 2.4e-7 with 8 points. The spline itself has an error of 1.2e-3.
+// Number of samples per span, from one point to the next. Cubics between the samples add an error: on a circle through
+// 8 points, (angle between samples)^4 / 384 = 2.4e-7 of the radius. The spline itself has an error of 1.2e-3.
 #define PATH_SHARES 8
 
 static inline int path_spans(int points, bool closed) { return points - !closed; }

@@ -8,7 +8,8 @@
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-// Returns the position of the first gap for `count` samples. *before: 1 + index of the path before the gap, or 0.
+// Returns the position of the first gap for `count` samples, or the end of all samples. *before: set to 1 + index of
+// the path before this position, 0 for none.
 static int find_place(const scree_world* world, int count, int* before)
 {
 	int end = 0;

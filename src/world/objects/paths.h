@@ -17,8 +17,8 @@ static inline PathCurve path_curve_of(const scree_world* world, int index)
 	return path_curve(host->samples, host->segments);
 }
 
-// Returns point and tangent of a path at an arc length, m. Clamps the arc length if the path is open, else repeats the
-// path.
+// Returns the point and the tangent of a path at the arc length `along`, m, as a pose. Clamps `along` if the path is
+// open; subtracts full rounds if it is closed.
 scree_pose path_pose_at(const scree_world* world, int index, float along);
 
 scree_status upload_paths(scree_world* world);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // reports.c -- keeps the number of reporting collidables, names of destroyed collidables, and events of the last step.
-// Events identify collidables by slots. A slot may have a new collidable since the event: created after the last step,
-// or before it if contacts of the old collidable ended in that step. So each slot stores two names: of a collidable
-// destroyed after an even number of steps, and of one after an odd number. Before its first step a collidable has no
-// events.
+// Events identify collidables by slots. When events are read, a slot may have a new collidable: the old one was
+// destroyed after the last step, or before that step, in which its contacts then ended. So each slot stores two names:
+// that of the last collidable destroyed after an even number of steps, and that of the last one after an odd number.
+// Before its first step a collidable has no events.
 #include "world/objects/reports.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"

@@ -39,7 +39,7 @@ void sensors_forget(scree_world* world)
 	world->sensors.ended_count = 0;
 }
 
-// Returns whether a collidable was created, or got another shape, since the end of the step before the last one.
+// Returns whether a collidable was created, or its contacts restarted, between the last two steps.
 static bool is_new(const scree_world* world, int index)
 {
 	return slots_in_use(&world->collidables, index) && world->host_collidables[index].born >= world->pipeline.steps - 1;
@@ -74,7 +74,8 @@ static void begin_visit(Sensors* s, const Visit* visit)
 		end_visit(s, visit, visit->left, false);
 }
 
-// Compares the visits at the end of the previous step with the visits of the last step. Both lists are sorted.
+// Compares the visits of the previous step with `found`, those of the last step; both are sorted. Lists the visits that
+// began, that ended, and that last beyond the step.
 static void compare_visits(scree_world* world, const Visit* found, int count)
 {
 	Sensors* s = &world->sensors;
@@ -91,7 +92,7 @@ static void compare_visits(scree_world* world, const Visit* found, int count)
 		const Visit* was = side == 0 ? s->visits + old++ : NULL;
 		if (now->lasts)
 			s->next[kept++] = *now;
-		// time > 0: a collidable was placed elsewhere before the step, so the old visit ends and a new one begins
+		// time > 0: a collidable was placed elsewhere between the two steps, so the old visit ends and a new one begins
 		if (was && !is_fresh(world, was) && now->time == 0.0f)
 		{
 			if (!now->lasts)

@@ -4,16 +4,16 @@
 #define SENSORS_H
 #include "world/world.h"
 
-// Records a change of the sensor bits of a collidable. before, after: the bits, 0 while the collidable does not exist.
+// Records a change of the sensor bits of a collidable from `before` to `after`; 0 while the collidable does not exist.
 void sensors_note(scree_world* world, uint32_t before, uint32_t after);
 
 // Discards the lists of visits that began and ended. Must be called before each step.
 void sensors_forget(scree_world* world);
 
-// Finds the visits on the device, and lists the visits that began and ended. Must be called after each step.
+// Finds the visits on the device, and lists the visits that began and ended. Must be called after successful steps.
 scree_status sensors_update(scree_world* world, const char* function);
 
-// Returns the number of visits to a sensor at the end of the last step. Their first index in Sensors.visits is *first.
+// Returns the number of visits to a sensor at the end of the last step. *first: set to the first one in Sensors.visits.
 int sensors_visits(const scree_world* world, int sensor, int* first);
 void sensors_close(scree_world* world);
 

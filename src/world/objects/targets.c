@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// targets.c -- keeps the targets of kinematic bodies: poses at the end of the next step, uploaded with the step.
+// targets.c -- keeps the targets of kinematic bodies: poses at the end of the next step with dt above 0.
 #include "world/objects/targets.h"
 #include "platform/error.h"
 #include "world/edits.h"

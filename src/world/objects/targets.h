@@ -18,7 +18,7 @@ void target_drop(scree_world* world, int body);
 // commands set velocity 0, and the targets remain. Disabled bodies get no commands, and keep their targets.
 scree_status targets_commands(scree_world* world, StepCommands* commands);
 
-// Removes the targets of enabled bodies. Must be called after a step.
+// Removes the targets of enabled bodies. Must be called after each successful step with dt above 0.
 void targets_arrived(scree_world* world);
 
 #endif

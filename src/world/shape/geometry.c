@@ -17,7 +17,7 @@ scree_vec pose_point(scree_pose pose, scree_vec p)
 	return (scree_vec){pose.position.x + (q.c * p.x - q.s * p.y), pose.position.y + (q.s * p.x + q.c * p.y)};
 }
 
-#define WELD_SIZES 20.0 // polygons with a size of at least WELD_SIZES * WELD_DISTANCE have the full tolerances
+#define WELD_SIZES 20.0 // size of the smallest polygon with the full tolerances, divided by WELD_DISTANCE
 
 typedef struct // sums over the pieces of a shape with density 1; moments are about vertex 0
 {
@@ -25,7 +25,7 @@ typedef struct // sums over the pieces of a shape with density 1; moments are ab
 	double inertia;    // m^4: second moment
 } Moments;
 
-// Adds a piece with its centroid at (x, y). inertia: inertia about this centroid.
+// Adds a piece of density 1. x, y: its centroid relative to vertex 0, m. inertia: inertia about the centroid, m^4.
 static void add_piece(Moments* m, double area, double x, double y, double inertia)
 {
 	m->area += area;
@@ -34,9 +34,9 @@ static void add_piece(Moments* m, double area, double x, double y, double inerti
 	m->inertia += inertia + area * (x * x + y * y);
 }
 
-// Computes the mass properties of all points at most the radius away from the hull: triangles around vertex 0, a
-// rectangle on each edge, and at each corner a sector between the normals of its edges. The first moment of a sector
-// needs no angle: the integral of (cos, sin) between two normals is their difference, rotated by -90 degrees.
+// Computes the mass properties of all points within `radius` of the hull: triangles around vertex 0, a rectangle on
+// each edge, and at each corner a sector between the normals of its edges. The first moment of a sector about its
+// corner needs no angle: the integral of (cos, sin) between two normals is their difference, rotated by -90 degrees.
 static void fill_mass(scree_shape* shape)
 {
 	const scree_vec *v = shape->vertices, *n = shape->normals;
@@ -49,8 +49,8 @@ static void fill_mass(scree_shape* shape)
 		double x = (double)v[i].x - v[0].x, y = (double)v[i].y - v[0].y;
 		double nx = (double)v[next].x - v[0].x, ny = (double)v[next].y - v[0].y;
 
-		// triangle of vertex 0 and the edge; with a and b for its sides at vertex 0, its inertia about vertex 0 is area
-		// (a.a + a.b + b.b) / 6
+		// triangle of vertex 0 and the edge; if vectors a and b are its sides at vertex 0, its inertia about vertex 0
+		// is area (a.a + a.b + b.b) / 6
 		double area = 0.5 * (x * ny - y * nx), tx = (x + nx) / 3.0, ty = (y + ny) / 3.0;
 		double about_corner = area * (x * x + y * y + x * nx + y * ny + nx * nx + ny * ny) / 6.0;
 		add_piece(&m, area, tx, ty, about_corner - area * (tx * tx + ty * ty));

@@ -8,14 +8,14 @@
 #define WELD_DISTANCE 0.005f // m: corners closer than this count as one corner; the limit is lower for small shapes
 #define FLAT_DISTANCE 0.0005 // m: a corner closer than this to the line between its neighbors is flat; see tolerance_of
 
-typedef struct // the distances WELD_DISTANCE and FLAT_DISTANCE for a polygon of a given size, m
+typedef struct // tolerances of a polygon, m: WELD_DISTANCE and FLAT_DISTANCE, or less if it is small
 {
 	double weld, flat;
 } Tolerance;
 
-// Returns the tolerances of a polygon. weld is a twentieth of the largest distance between two points, clamped to the
-// range from 0.5 mm to WELD_DISTANCE; flat is a tenth of weld. An octagon with corners at SMALLEST_SIZE from its center
-// has edges of 0.77 mm, so they are not welded.
+// Returns the tolerances of a polygon. `weld` is a twentieth of the largest distance between two points, clamped to the
+// range from 0.5 mm to WELD_DISTANCE; `flat` is a tenth of `weld`. An octagon with corners at SMALLEST_SIZE from its
+// center has edges of 0.77 mm, so its corners are not welded.
 Tolerance tolerance_of(const scree_vec* points, int count);
 
 // Checks kind, count, radius and vertices of a shape, computes all other members, and clears vertices beyond count. Its
@@ -25,7 +25,7 @@ scree_status shape_finish(ArgumentPlace at, scree_shape* shape);
 // Computes the same members as shape_finish without checks. Reverses a clockwise polygon.
 void shape_fill(scree_shape* shape);
 
-// Fails if corners do not form a convex polygon, clockwise or counter-clockwise.
+// Fails unless corners form a convex polygon, in either direction, and none are too flat or too close together.
 scree_status check_corners(const char* function, const char* argument, const scree_vec* v, int count,
                            Tolerance tolerance);
 

@@ -13,7 +13,7 @@ typedef struct
 	Tolerance tolerance;
 } Hull;
 
-// Appends the hull's corners between corners a and b, in order. outside: the points to the right of the line a b.
+// Appends the hull's corners between corners a and b, in order. outside: points to the right of the line from a to b.
 static void add_side(Hull* hull, int a, int b, const int* outside, int outside_count)
 {
 	const scree_vec* p = hull->points;
@@ -31,7 +31,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	if (corner < 0)
 		return;
 
-	// points outside the first new side, and points outside the second new side
+	// points to the right of the line from a to `corner`, and points to the right of the line from `corner` to b
 	int first[HULL_POINTS], second[HULL_POINTS], first_count = 0, second_count = 0;
 	for (int k = 0; k < outside_count; ++k)
 	{
@@ -46,7 +46,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	add_side(hull, corner, b, second, second_count);
 }
 
-// Removes flat corners one by one, each time the flattest. Each removal makes the neighboring corners less flat.
+// Removes flat corners one by one, the flattest first, because each removal makes the neighboring corners less flat.
 static void drop_flat(Hull* hull)
 {
 	while (hull->count >= 3)

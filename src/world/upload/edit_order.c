@@ -9,13 +9,13 @@
 #define DIGIT_BITS 8
 #define DIGITS     (1 << DIGIT_BITS)
 
-typedef struct // sort key of a row (`index`, its slot), and position of the row
+typedef struct // `index`: slot of a row, the sort key; `row`: position of the row
 {
 	uint32_t index, row;
 } Place;
 
 // Sorts `places` by index (radix sort), with `other` as a second buffer. Returns the buffer that has the sorted places.
-// bits: all bits set in any index.
+// bits: bitwise OR of all indices.
 static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 {
 	for (int shift = 0; bits >> shift != 0; shift += DIGIT_BITS)
@@ -38,7 +38,7 @@ static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 	return places;
 }
 
-// Returns the first member of row k, the index of its slot. bytes: size of a row.
+// Returns the slot of row k, which is the first member of the row. bytes: size of a row.
 static uint32_t row_index(const void* rows, size_t bytes, int k)
 {
 	uint32_t index;

@@ -6,12 +6,12 @@
 
 scree_status edits_sort(scree_world* world);
 
-// Return the end of the rows with consecutive slots that begin at row k. Rows of collidables are all dead or all alive.
+// Return the end (last row + 1) of rows from row k on with consecutive slots; collidables are all dead or all alive.
 int body_run(const Edits* p, int k);
 int collidable_run(const scree_world* world, int k);
 
-// Returns whether the collidable of row k is destroyed or disabled. Only the kind of such a row is uploaded. Then the
-// box of the collidable becomes empty, which ends its contacts.
+// Returns whether the collidable of row k is destroyed or disabled. In a long sequence only its kind is uploaded,
+// otherwise kind and filter. Then its box becomes empty, which ends its contacts.
 bool edit_is_dead(const scree_world* world, int k);
 
 #endif

@@ -22,7 +22,7 @@
 
 typedef struct // memory that an upload needs
 {
-	int body_rows, collidable_rows; // rows in the longest sequence of at least LONG_RUN rows
+	int body_rows, collidable_rows; // number of rows in the longest sequence with at least LONG_RUN rows, else 0
 	int commands;                   // upper bound of the number of commands
 } Demand;
 
@@ -75,7 +75,7 @@ static scree_status reserve(scree_world* world, const Demand* demand, char** mem
 	return SCREE_OK;
 }
 
-// Returns whether any edit creates a body or a collidable, or changes a pose, so that boxes may jump.
+// Returns whether any edit creates, destroys or moves a body or a collidable, so that boxes may jump.
 static bool places(const Edits* p)
 {
 	bool found = p->body_count + p->collidable_count > 0;
@@ -132,7 +132,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 {
 	TRY(upload_fields(world));
 	if (steps)
-		TRY(chains_update(world)); // adds an edit for each joint whose place in the chains changed
+		TRY(chains_update(world)); // adds an edit for each joint whose spot changed
 	TRY(upload_materials(world));
 	TRY(upload_exclusions(world));
 	if (no_edits(&world->edits))

@@ -7,8 +7,8 @@
 // Uploads all changes that the user has made since the last upload. Called before every readback.
 scree_status world_upload(scree_world* world);
 
-// Does the same before a step, and finds changed chains again. Before a readback, new chains would change later
-// impulses.
+// Uploads all changes before a step, and finds changed chains again. world_upload does not find chains: otherwise a
+// readback would change later impulses.
 scree_status world_upload_to_step(scree_world* world);
 
 #endif

@@ -73,8 +73,8 @@ typedef struct // commands grouped by item
 	int collected, count, groups;
 } Groups;
 
-// Adds the commands of a row, which the caller has written behind the last group. They form a group if the user gave no
-// later command for the item. Otherwise moves them to Groups.from, from where group_commands takes them.
+// Adds `count` commands of a row, which the caller has written behind the last group. They become a group if the user
+// gave no later command for the item. Otherwise they are moved to Groups.from, which group_commands reads.
 static void add_row(Groups* g, const PendingEdits* waiting, int count)
 {
 	if (waiting->group > 0)

@@ -12,7 +12,7 @@
 #define COLLIDABLE_COMMANDS 3 // maximum number of commands per row of a collidable
 
 // Sends all commands to the device and applies them there. most: upper bound of the number of commands. memory: space
-// for 2 * most commands and most + 1 ints.
+// for 2 * `most` commands and `most` + 1 ints.
 scree_status upload_commands(scree_world* world, int most, char* memory);
 
 #endif

@@ -17,10 +17,10 @@ Float4 body_pose(const BodyRow* row)
 	return make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
 }
 
-// Writes a new body's values for one pool to *item, which the caller has set to zero.
+// Writes the values of a body's row for one pool to *item, which the caller has set to zero.
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
-	// the velocity of a disabled body is 0 here; its own velocity is in the pool stored_velocity
+	// a disabled body has velocity 0; the velocity that it gets when enabled is in the pool stored_velocity
 	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
 	switch (pool)
 	{
