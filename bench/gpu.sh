@@ -80,8 +80,8 @@ for scene in $($scree scenes --names); do
 done
 wait $references
 
-# NVIDIA's programs are PTX. A function that is not inlined is slow, because every work-item then keeps its pool pointers on the
-# stack.
+# NVIDIA's driver returns programs as PTX, a text in which .func begins a function that is not inlined. Such a function is slow,
+# because every work-item then keeps its pool pointers on the stack.
 calls=$(cat "$SCREE_CACHE"/* | grep -a '^\.func' | sort -u || true)
 echo "functions that are not inlined: ${calls:-none}" | tee -a "$folder/machine.txt"
 

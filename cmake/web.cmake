@@ -1,5 +1,5 @@
-# web.cmake -- builds targets for WebAssembly besides the libraries: the engine of the npm package, and the program
-# whose hashes tests compare.
+# web.cmake -- builds targets for WebAssembly besides the libraries: the engine of the npm package, and golden,
+# which prints the hashes of scenes for tests.
 
 # the JavaScript optimizers that Emscripten runs at link time need acorn; NODE_PATH is the folder of Debian's node
 # modules

@@ -26,8 +26,8 @@ void loop_free(Loop* loop);
 // `value`.
 bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, int slot, double value);
 
-// Reads the member "repeat" of a block, if the block has it. The ranges of inner loops and the block may use each
-// index.
+// Reads the member "repeat" of a block, if the block has it. Expressions in the block and in the ranges of inner loops
+// may use the index of a loop.
 bool loops_read(Reader* reader, const Location* location, const json_t* object, Loops* loops);
 void loops_free(Loops* loops);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_block.c -- reads the paths of a scene: single points, and rows of points, by the name of the path.
+// path_block.c -- reads the paths of a scene. The points of a path are single points or rows of points.
 #include "scene/path_block.h"
 #include "scene/block_items.h"
 #include "scene/format.h"

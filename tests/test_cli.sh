@@ -62,7 +62,7 @@ refuse 2 'no scene is called "nothing"' run nothing
 refuse 2 './nothing.json' run ./nothing.json
 refuse 2 '--set rows=0: must be at least 1' run pyramid --set rows=0
 refuse 2 'no parameter "row" to set; there are rows' run pyramid --set row=3
-refuse 2 'at most' run pyramids --set columns=700 --set rows=700 --set base=100
+refuse 2 'the scene has room for' run pyramids --set columns=700 --set rows=700 --set base=100
 printf '{"name": "x",\n  "title": oops}' >bad.json
 refuse 2 'bad.json: line 2, column' run bad.json
 printf '{"name":"x","title":"y","attributes":{"a":{"circle":-1}},"bodies":[{"attribute":"a"}]}' >bad.json

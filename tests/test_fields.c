@@ -258,7 +258,7 @@ static void wind_blows(void** state)
 	box = add_dense(world, box_shape(0.5f, 0.5f), 0.1f, 0.0f, 0.0f);
 	scree_body wing = add_shape(world, SCREE_BODY_DYNAMIC, box_shape(1.0f, 0.01f), 0.0f, 10.0f, 0.5f);
 	run_steps(world, 1);
-	// the plate rises in the direction of the wind, so the wind hits its upper side, as on a hill
+	// the plate slopes upward in the direction of the wind, so the wind hits its upper side and pushes it down
 	assert_true(velocity_of(world, wing).linear.y < -0.001f);
 	run_steps(world, 1200);
 	NEAR(velocity_of(world, box).linear.x, 8.0, 0.3);

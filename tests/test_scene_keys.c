@@ -166,7 +166,8 @@ static void test_bad_values(void** state)
 	}
 }
 
-// Checks that each limit of a number is within those of the library: a world with it is created, and steps.
+// Checks that the library accepts the lowest and the highest number that the format allows for each key: creates a world
+// with this number, and takes steps.
 static void test_limits(void** state)
 {
 	(void)state;

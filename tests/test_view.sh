@@ -78,7 +78,8 @@ within()
 
 small=(pyramid --set rows=3)
 
-# the picture of the window equals the picture of scree run, which adds the detail of the scene unless a view is given
+# the picture of the window equals the picture of scree run with the same view; without --view, scree run would add the
+# magnified detail of the scene
 whole=(--view -1.68,-3,1.68,6) # the view of the small scene: 0.56 * 3 is 1.68
 view 0 "${small[@]}" <<'END'
 frames 30
@@ -692,7 +693,7 @@ says 'there is no display to open a window on'
 DISPLAY='' view 1 "${small[@]}" </dev/null
 says 'there is no display to open a window on'
 "$scree" view "${small[@]}" --script missing >out 2>err
-[ $? = 1 ] || fail "a missing script: exit code"
+[ $? = 2 ] || fail "a missing script: exit code"
 says 'cannot read missing'
 
 echo "$failures failures"

@@ -50,8 +50,8 @@ static void add_tiles(Lab* lab, double span, double height)
 // Simulates the rain of Box2D's benchmarks, without removing ragdolls: columns of ragdolls fall onto each of several
 // floors. If all fall from the same height, 25 ragdolls land at the same time. In Box2D all 25 landings are alike. In
 // Scree the constraints of the ragdolls have different colors, so the widest gap is the maximum of 25 different
-// landings. Therefore a second rain adds a random height of at most `spread`, m, to each ragdoll; this is about the
-// motion in a step.
+// landings. Therefore a second rain adds a random height of at most `spread`, m, to each ragdoll. The spread is about the
+// distance that a ragdoll falls in the step before it lands.
 static void rain(Validation* v, int columns, int rows, double spread)
 {
 	begin(v, "%d ragdolls that fall onto %d floors from %s", columns * rows * GROUP, rows,

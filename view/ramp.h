@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ramp.h -- computes color ramps, the colors of numbers, for shaders and legends.
+// ramp.h -- computes color ramps, which show numbers as colors, for shaders and legends.
 #ifndef RAMP_H
 #define RAMP_H
 #include "view/style.h"

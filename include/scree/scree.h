@@ -1635,7 +1635,9 @@ static inline scree_blast_def scree_blast_def_default(void);
 // the visible bodies with scree_world_cast_rays and push only these. A list that a query returned stays valid.
 SCREE_API scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count);
 
-typedef struct scree_mover_def // characters of one kind: upright capsules that are moved by queries
+// Characters of one kind: upright capsules that are moved by queries. length, radius, step_height, snap_distance and
+// 3 skin together are at most SCREE_MAX_COORDINATE.
+typedef struct scree_mover_def
 {
 	uint32_t size;       // set by scree_mover_def_default
 	uint32_t kinds;      // bits of SCREE_QUERY_*: collidables that stop a mover; default STATIC, KINEMATIC and DYNAMIC

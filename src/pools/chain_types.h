@@ -35,7 +35,9 @@ typedef struct // 32 bytes: a body of a branch and the joint toward the root; no
 	int unused;
 } BranchNode;
 
-typedef struct // data of MAX_LANES joints of chains in a pass; a shared body is one of this and the previous joint
+// data of MAX_LANES joints of chains in a pass; the shared body of a joint is the body between the joint and the
+// previous joint of its chain
+typedef struct
 {
 	float d[6][MAX_LANES];                    // diagonal block: 00, 01, 02, 11, 12, 22; after elimination its inverse
 	float l[9][MAX_LANES];                    // block that couples this joint with the previous one

@@ -26,8 +26,9 @@
 // exceed the size of the smaller body.
 #define COLLIDABLE_GRAIN 8 // bit 0
 #define GRAIN_LEVELS     5
-// First of the bits for the reach. A collidable with bits for thickness has bit k of them if its reach is below 4
-// GRAIN_SIZE / 2^k. They scale the largest gap of contact points, because a long body needs points at both ends.
+// First of the bits for the reach. Bit k of the reach is set if a collidable has bits for thickness and its reach is
+// below 4 GRAIN_SIZE / 2^k. The bits for the reach scale the largest gap of contact points: a long body needs points at
+// both ends.
 #define COLLIDABLE_REACH  (COLLIDABLE_GRAIN << GRAIN_LEVELS)
 #define COLLIDABLE_GRAINS (COLLIDABLE_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
 

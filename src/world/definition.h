@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// definition.h -- reads definitions of programs that use another version of the header, and writes results for them.
-// New versions add members at the end, with default 0. Definitions contain their size; that of a result is an argument.
+// definition.h -- reads definitions of programs that use another version of the header, and writes results for such
+// programs. New versions add members at the end, with default 0. A definition contains its size; the size of a result is
+// an argument of the function.
 #ifndef DEFINITION_H
 #define DEFINITION_H
 #include "world/check.h"

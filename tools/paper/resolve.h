@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// resolve.h -- executes the fourth stage on the host: resolves one contact after the other, always the most severe.
+// resolve.h -- executes the fourth stage on the host: resolves contacts one by one, each time the most severe one.
 #ifndef RESOLVE_H
 #define RESOLVE_H
 #include "tools/paper/paper_state.h"

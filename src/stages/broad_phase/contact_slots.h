@@ -133,7 +133,7 @@ KERNEL(contact_join)
 	if (flags & CONTACT_DETECTED)
 		return;
 	Word joined = contact_parts(p, p->pair[i]);
-	// a contact whose boxes parted is not restarted, because the narrow phase does not release fresh contacts
+	// A contact whose boxes parted is not restarted: the narrow phase will release it, and keeps fresh contacts.
 	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
 		return;
 	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));

@@ -14,7 +14,8 @@
 #include "constraints/joint_prepare.h"
 #include "stages/geometry/sweep.h"
 
-// minimum cosine between a way and the normal of a contact that hands it on; if it is smaller, carts press the floor
+// minimum cosine between a way and the normal of a contact that hands the way on; with a smaller minimum, a box that is
+// pushed along a floor would hand the way on to the floor
 #define PRESS_ALONG 0.15f
 
 #define PRESS_HOPS   63   // maximum number of hops of a way, and so of bodies in a row through which a press acts

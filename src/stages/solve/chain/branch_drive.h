@@ -76,7 +76,8 @@ INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, 
 	                         k == JOINT_ANGLE ? change : 0.0f));
 }
 
-// Sets the drives of a joint that reach their bounds with the solution x to these bounds. Returns whether any does.
+// Finds the drives of a joint whose impulses would exceed their bounds with the solution x, and sets these impulses to
+// the bounds. Returns whether there is such a drive.
 INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], ChainLink* link)
 {
 	int found = 0;

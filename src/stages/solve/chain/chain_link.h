@@ -78,7 +78,8 @@ INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
 	}
 }
 
-// Loads a joint with its stored pose and the inertias of the step, so only half of the state of its bodies is gathered.
+// Loads a joint with its stored pose and the inertias of the step. Half of the state of its bodies is then unused, and
+// the compiler removes its loads.
 INLINE void chain_load_kept(const Pools* p, const Chain* chain, int spot, ChainLink* link)
 {
 	JointPose* c = &link->c;
