@@ -189,7 +189,7 @@ static void movers(void** state)
 	DEF(step_height = -1, ".step_height is -1");
 	DEF(snap_distance = INFINITY, ".snap_distance is inf");
 	DEF(skin = 0, ".skin is 0");
-	DEF(radius = SCREE_MAX_COORDINATE, " has a sum of lengths of 100001");
+	DEF(radius = SCREE_MAX_COORDINATE, ": the sum of its lengths is 100001");
 	DEF(kinds = 64, ".kinds is 64, has bits other than SCREE_QUERY_*");
 #undef DEF
 #define MOVER(status, change, sentence) \

@@ -47,9 +47,7 @@ static scree_status check_mover_def(ArgumentPlace at, const scree_mover_def* def
 	TRY(check_real(at, ".skin", def->skin, SMALLEST_SIZE, SCREE_MAX_COORDINATE));
 	// bounds the sizes and the translations of the queries
 	float sum = def->length + def->radius + def->step_height + def->snap_distance + 3.0f * def->skin;
-	if (sum > SCREE_MAX_COORDINATE)
-		return refuse(SCREE_ERROR_INVALID, at, "", "has a sum of lengths of %s m, must be at most %s",
-		              decimal(sum).text, decimal(SCREE_MAX_COORDINATE).text);
+	TRY(check_real(at, ": the sum of its lengths", sum, 0.0f, SCREE_MAX_COORDINATE));
 	return check_query_kinds(at, def->kinds);
 }
 
