@@ -230,7 +230,7 @@ double lab_fastest(const Lab* lab, int* body)
 	for (int k = 0; k < lab->count; ++k)
 	{
 		double speed = lab->bodies[k].def.type == SCREE_BODY_DYNAMIC ? lab_speed(lab, k) : 0.0;
-		if (speed <= most) // false if one of the speeds is NaN; the later body then counts as faster
+		if (speed <= most || most != most) // the first NaN counts as the highest speed
 			continue;
 		most = speed;
 		if (body)

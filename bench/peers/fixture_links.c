@@ -5,8 +5,8 @@
 
 #define PI 3.14159265f
 
-static const scree_filter apart = {
-    .category = 2, .mask = 1, .group = 0}; // bodies with this filter do not touch each other
+// filter of bodies that do not touch each other
+static const scree_filter apart = {.category = 2, .mask = 1, .group = 0};
 
 enum
 {

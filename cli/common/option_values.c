@@ -57,9 +57,7 @@ static bool read_setting(Options* options, const Option* option, char* text)
 {
 	char* equals = strchr(text, '=');
 	if (!equals || equals == text || !equals[1])
-	{
 		return refuse_value(options, option, text, "be NAME=VALUE");
-	}
 	if (options->setting_count == MAX_SETTINGS)
 	{
 		fprintf(stderr, "%s %s: --%s may be repeated %d times\n", program_name, options->name, option->name,
@@ -87,9 +85,8 @@ static bool read_box(const Options* options, const Option* option, const char* t
 	*there = sscanf(text, "%f,%f,%f,%f%c", &low->x, &low->y, &high->x, &high->y, &extra) == 4 && low->x < high->x &&
 	         low->y < high->y && low->x >= -SCREE_MAX_COORDINATE && low->y >= -SCREE_MAX_COORDINATE &&
 	         high->x <= SCREE_MAX_COORDINATE && high->y <= SCREE_MAX_COORDINATE;
-	if (!*there)
-		refuse_value(options, option, text, "be LEFT,BOTTOM,RIGHT,TOP in metres, LEFT below RIGHT, BOTTOM below TOP");
-	return *there;
+	return *there || refuse_value(options, option, text,
+	                              "be LEFT,BOTTOM,RIGHT,TOP in metres, LEFT below RIGHT, BOTTOM below TOP");
 }
 
 static bool read_view(Options* options, const Option* option, char* text)

@@ -22,8 +22,7 @@
 #define ONE_WAY_TOUCH 1.0e-9f // m: minimum depth assumed for a visitor that touches a platform
 
 // states of a contact before the test
-#define ONE_WAY_NEW \
-	0 // no overlap of boxes in the last step, or the visitor was above the height of an upper side, but beside it
+#define ONE_WAY_NEW  0 // boxes did not overlap in the last step, or the visitor was beside and above an upper side
 #define ONE_WAY_PAST 1 // the platform let the visitor through
 #define ONE_WAY_HELD 2 // the platform held the visitor, but the two do not touch
 // cosine: for an upper side, the dot product of its normal and the platform's direction `up` is larger than this;
