@@ -19,7 +19,8 @@ else()
 endif()
 
 # not installed, because scree_paper only repeats measurements
-if(TARGET scree_cli_common)
+# it draws through a pipe to gnuplot, by the shell of a POSIX system
+if(TARGET scree_cli_common AND UNIX)
 	add_executable(scree_paper ${paper_sources})
 	scree_flags(scree_paper)
 	set_target_properties(scree_paper PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -1,8 +1,8 @@
 # scene.cmake -- builds the reader of scene files, which needs Jansson, and pictures of scenes, which need Cairo.
 file(GLOB scene_sources CONFIGURE_DEPENDS scene/*.c)
 
-if(EMSCRIPTEN)
-	# Debian has neither Jansson nor Cairo for WebAssembly; Jansson is built from its sources
+if(CMAKE_CROSSCOMPILING)
+	# Debian has neither Jansson nor Cairo for WebAssembly or Windows; Jansson is built from its sources
 	include(cmake/jansson.cmake)
 else()
 	find_package(PkgConfig)
@@ -13,7 +13,7 @@ else()
 	set(jansson PkgConfig::JANSSON)
 endif()
 
-if(NOT JANSSON_FOUND AND EMSCRIPTEN)
+if(NOT JANSSON_FOUND AND CMAKE_CROSSCOMPILING)
 	message(NOTICE "scree: scenes are left out, because the sources of Jansson are not in ${SCREE_JANSSON_SOURCE}")
 elseif(NOT JANSSON_FOUND)
 	message(NOTICE "scree: the command line is left out, because Jansson was not found; Debian has it in libjansson-dev")
@@ -30,4 +30,9 @@ elseif(scene_sources)
 	# scenes are searched first in the sources, then in the folder of the installation
 	target_compile_definitions(scree_scene PUBLIC SCREE_SCENE_DIR="${PROJECT_SOURCE_DIR}/scenes"
 		SCREE_INSTALLED_SCENE_DIR="${CMAKE_INSTALL_FULL_DATADIR}/scree/scenes")
+
+	# golden, whose hashes tests compare; it needs no test framework, so it is built for every platform
+	add_executable(golden EXCLUDE_FROM_ALL tests/tools/golden.c)
+	scree_flags(golden)
+	target_link_libraries(golden PRIVATE scree_scene scree_internals)
 endif()

@@ -36,9 +36,7 @@ if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 endif()
 
 if(TARGET scree_scene)
-	add_executable(golden tests/web/golden.c)
-	scree_flags(golden)
-	target_link_libraries(golden PRIVATE scree_scene scree_internals)
+	set_target_properties(golden PROPERTIES EXCLUDE_FROM_ALL OFF)
 	# NODERAWFS gives access to real files; with threads, main runs in a separate thread, which may wait for other
 	# threads
 	target_link_options(golden PRIVATE -O1 -sALLOW_MEMORY_GROWTH -sNODERAWFS -sEXIT_RUNTIME)

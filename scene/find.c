@@ -9,6 +9,17 @@
 
 #define FOLDERS 4
 
+// Returns the last character between a folder and a name in a path, or null.
+static const char* last_slash(const char* path)
+{
+	const char* slash = strrchr(path, '/');
+#ifdef _WIN32
+	const char* back = strrchr(path, '\\');
+	slash = !slash || (back && back > slash) ? back : slash;
+#endif
+	return slash;
+}
+
 // Writes the folders in the order of search and returns their number.
 static int folders(const char* executable, char folder[FOLDERS][SCENE_PATH])
 {
@@ -18,7 +29,7 @@ static int folders(const char* executable, char folder[FOLDERS][SCENE_PATH])
 		snprintf(folder[count++], SCENE_PATH, "%s", chosen);
 	snprintf(folder[count++], SCENE_PATH, "%s", SCREE_SCENE_DIR);
 	snprintf(folder[count++], SCENE_PATH, "%s", SCREE_INSTALLED_SCENE_DIR);
-	const char* slash = executable ? strrchr(executable, '/') : NULL;
+	const char* slash = executable ? last_slash(executable) : NULL;
 	if (slash)
 		snprintf(folder[count++], SCENE_PATH, "%.*s/../share/scree/scenes", (int)(slash - executable), executable);
 	return count;
@@ -48,7 +59,7 @@ bool scene_find(const char* name, const char* executable, char* path, char* sent
 		snprintf(sentence, SCENE_SENTENCE, "the path of the scene has more than %d characters", SCENE_PATH - 1);
 		return false;
 	}
-	if (strchr(name, '/') || ends_in_json(name))
+	if (last_slash(name) || ends_in_json(name))
 	{
 		snprintf(path, SCENE_PATH, "%s", name);
 		return true;
@@ -68,35 +79,52 @@ bool scene_find(const char* name, const char* executable, char* path, char* sent
 	return false;
 }
 
-static int is_scene(const struct dirent* entry)
-{
-	return ends_in_json(entry->d_name) && !strstr(entry->d_name, ".schema.");
-}
+static bool is_scene(const char* name) { return ends_in_json(name) && !strstr(name, ".schema."); }
 
 static int compare_names(const void* a, const void* b) { return strcmp(*(char* const*)a, *(char* const*)b); }
 
-// Adds the scenes of a folder that are not in the list yet. Returns the new number of names, -1 if memory is short.
+// Adds a name without .json to a list of count names, unless it is among the first ones, which are sorted. Returns false if
+// memory is short.
+static bool list_name(const char* name, char*** names, int sorted, int* count)
+{
+	size_t length = strlen(name) - strlen(".json");
+	char* copy = malloc(length + 1);
+	char** list = realloc(*names, (size_t)(*count + 1) * sizeof *list);
+	*names = list ? list : *names;
+	if (copy && list)
+	{
+		memcpy(copy, name, length);
+		copy[length] = 0;
+		if (sorted == 0 || !bsearch(&copy, list, (size_t)sorted, sizeof *list, compare_names))
+		{
+			list[(*count)++] = copy;
+			return true;
+		}
+	}
+	free(copy);
+	return copy && list;
+}
+
+// Adds the scenes of a folder that are not in the list yet. Returns the new number of names; -1 if memory is short, and
+// then the list keeps the first count names.
 static int list_folder(const char* folder, char*** names, int count)
 {
-	struct dirent** entries;
-	int found = scandir(folder, &entries, is_scene, NULL);
-	char** list = found > 0 ? realloc(*names, (size_t)(count + found) * sizeof(char*)) : NULL;
-	int kept = found > 0 && !list ? -1 : count;
-	*names = list ? list : *names;
-	for (int n = 0; n < found; ++n)
+	DIR* directory = opendir(folder);
+	int listed = count;
+	bool good = true;
+	for (struct dirent* entry; good && directory && (entry = readdir(directory));)
+		good = !is_scene(entry->d_name) || list_name(entry->d_name, names, count, &listed);
+	if (directory)
+		closedir(directory);
+	if (!good)
 	{
-		char* name = list ? strndup(entries[n]->d_name, strlen(entries[n]->d_name) - 5) : NULL;
-		if (name && (count == 0 || !bsearch(&name, list, (size_t)count, sizeof *list, compare_names)))
-			list[kept++] = name;
-		else
-			free(name);
-		free(entries[n]);
+		while (listed > count)
+			free((*names)[--listed]);
+		return -1;
 	}
-	if (found >= 0)
-		free(entries);
-	if (kept > count)
-		qsort(list, (size_t)kept, sizeof *list, compare_names);
-	return kept;
+	if (listed > count)
+		qsort(*names, (size_t)listed, sizeof **names, compare_names);
+	return listed;
 }
 
 int scene_list(const char* executable, char*** names, char* sentence)

@@ -4,9 +4,26 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #define RATE 60 // frames per second
+
+#ifdef _WIN32
+#define PIPE_MODE         "wb"
+#define FIND_FFMPEG       "where ffmpeg >NUL 2>&1"
+#define exit_code(status) (status)
+#define popen             _popen
+#define pclose            _pclose
+
+// Quotes a path for cmd.exe; no path has a quotation mark there.
+static bool quote(const char* path, char* text, size_t size)
+{
+	return snprintf(text, size, "\"%s%s\"", path[0] == '-' ? "./" : "", path) < (int)size;
+}
+#else
+#include <sys/wait.h>
+#define PIPE_MODE         "w"
+#define FIND_FFMPEG       "command -v ffmpeg >/dev/null 2>&1"
+#define exit_code(status) (WIFEXITED(status) ? WEXITSTATUS(status) : -1)
 
 // Quotes a path for the shell. Puts "./" before a leading dash; otherwise ffmpeg would read the path as an option.
 // Returns false if `text` has too little space.
@@ -25,12 +42,13 @@ static bool quote(const char* path, char* text, size_t size)
 	snprintf(text + length, size - length, "'");
 	return !*path;
 }
+#endif
 
 bool video_open(Video* video, const char* path, int width, int height)
 {
 	char quoted[2048], command[2560];
 	*video = (Video){.path = path, .bytes = (size_t)width * (size_t)height * 4, .width = width, .height = height};
-	if (system("command -v ffmpeg >/dev/null 2>&1") != 0)
+	if (system(FIND_FFMPEG) != 0)
 	{
 		fprintf(stderr, "scree: a video needs ffmpeg, which was not found; install it (Debian: apt install ffmpeg)\n");
 		return false;
@@ -43,10 +61,12 @@ bool video_open(Video* video, const char* path, int width, int height)
 	// H.264 requires an even width and an even height
 	snprintf(command, sizeof command,
 	         "ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size %dx%d -framerate %d -i - "
-	         "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p %s",
+	         "-vf \"pad=ceil(iw/2)*2:ceil(ih/2)*2\" -pix_fmt yuv420p %s",
 	         width, height, RATE, quoted);
+#ifdef SIGPIPE
 	signal(SIGPIPE, SIG_IGN);
-	video->pipe = popen(command, "w");
+#endif
+	video->pipe = popen(command, PIPE_MODE);
 	if (!video->pipe)
 		perror("scree: ffmpeg");
 	return video->pipe != NULL;
@@ -72,7 +92,6 @@ bool video_close(Video* video)
 	video->pipe = NULL;
 	if (status == 0)
 		return true;
-	fprintf(stderr, "scree: ffmpeg could not write %s (exit code %d)\n", video->path,
-	        WIFEXITED(status) ? WEXITSTATUS(status) : -1);
+	fprintf(stderr, "scree: ffmpeg could not write %s (exit code %d)\n", video->path, exit_code(status));
 	return false;
 }

@@ -3,7 +3,12 @@
 #include "command_line.h"
 #include <errno.h>
 #include <string.h>
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+#else
 #include <unistd.h>
+#endif
 
 static void print_command(FILE* file, const CommandLine* line, const Command* command)
 {
@@ -48,10 +53,16 @@ static void print_command_help(FILE* file, const CommandLine* line, const Comman
 // Returns the path of this program, so that scenes can be found in a folder next to it.
 static const char* executable_path(const char* first_word, char* text, size_t size)
 {
+#ifdef _WIN32
+	DWORD length = GetModuleFileNameA(NULL, text, (DWORD)size);
+	if (length == 0 || length == size)
+		return first_word;
+#else
 	ssize_t length = readlink("/proc/self/exe", text, size - 1);
 	if (length <= 0)
 		return first_word;
 	text[length] = 0;
+#endif
 	return text;
 }
 

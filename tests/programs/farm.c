@@ -19,6 +19,7 @@ typedef struct // progress of a process, shared with its parent
 	uint64_t seed;
 	double since; // s, by seconds_now: start of the current program
 	int done, failed, steps, frozen;
+	uint64_t hash; // sum of those of the programs
 	bool finished;
 } Desk;
 
@@ -114,6 +115,7 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 		desk->steps += outcome.steps;
 		desk->frozen += outcome.frozen;
 		desk->done += 1;
+		desk->hash += outcome.hash;
 		if (outcome.differs)
 		{
 			desk->failed += 1;
@@ -204,8 +206,9 @@ int farm_run(const Options* o)
 			all.failed += desks[k].failed;
 			all.steps += desks[k].steps;
 			all.frozen += desks[k].frozen;
+			all.hash += desks[k].hash;
 		}
-	printf("%s: %d programs, %d steps, %d bodies frozen, %d failures, %.1f s\n", o->places[1].device, all.done,
-	       all.steps, all.frozen, all.failed, seconds_now() - begin);
+	printf("%s: %d programs, %d steps, %d bodies frozen, %d failures, hash %016" PRIx64 ", %.1f s\n",
+	       o->places[1].device, all.done, all.steps, all.frozen, all.failed, all.hash, seconds_now() - begin);
 	return all.failed > 0;
 }

@@ -283,6 +283,8 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 		bool hashes = pair->every < 2 || outcome.steps % pair->every == 0 || i + 1 == program->count;
 		make_calls(pair, call, hashes, left);
 		bool differs = left_differs(&left[0], &left[1], &outcome);
+		outcome.hash = (outcome.hash ^ left[0].word) * 0x9e3779b97f4a7c15u;
+		outcome.hash ^= outcome.hash >> 29;
 		// only a step with dt above 0 can find and correct values that are not finite or too large
 		bool moved = call->kind == CALL_step && call_value(call, "dt") > 0.0f;
 		if (!differs && moved && left[0].status == SCREE_OK && hashes)

@@ -91,6 +91,7 @@ typedef struct
 	int call;           // index of the first call after which the worlds differ
 	char sentence[256]; // description of the difference
 	int steps, frozen;  // number of steps; number of bodies that were frozen in these steps
+	uint64_t hash;      // hash of the results of all calls; equal on every platform
 } Outcome;
 
 // defined in pair.c

@@ -126,7 +126,10 @@ Tolerance tolerance_of(const scree_vec* points, int count)
 	double size = 0.0;
 	for (int i = 0; i < count; ++i)
 		for (int k = 0; k < i; ++k)
-			size = fmax(size, vec_distance(points[i], points[k]));
+		{
+			double length = vec_distance(points[i], points[k]);
+			size = length > size ? length : size; // with fmax, gcc 12 for ARM64 fails with an internal error
+		}
 	if (size >= WELD_SIZES * (double)WELD_DISTANCE)
 		return (Tolerance){(double)WELD_DISTANCE, FLAT_DISTANCE};
 	double weld = fmax(size / WELD_SIZES, 0.5 * (double)SMALLEST_SIZE);
