@@ -9,13 +9,13 @@ INLINE Real vec_angle(Vec rotation)
 {
 	Real x = absolute(rotation.x), y = absolute(rotation.y), sum = splat(0.0f);
 	Int steep = (y < x) == 0;
-	Real t = blend(y / x, x / y, steep);
+	Real t = blend(quotient(y, x), quotient(x, y), steep);
 	Int large = t > splat(0.414f);
 	Real base = blend(splat(0.0f), splat(0.785398163f), large);
-	t = blend(t, (t - 1.0f) / (t + 1.0f), large);
+	t = blend(t, quotient(t - 1.0f, t + 1.0f), large);
 	Real q = t * t;
 	for (int k = 13; k >= 1; k -= 2)
-		sum = splat(1.0f / (float)k) - q * sum;
+		sum = splat(quotient(1.0f, (float)k)) - q * sum;
 	Real angle = base + t * sum;
 	angle = blend(angle, 1.57079633f - angle, steep);
 	angle = blend(angle, 3.14159265f - angle, rotation.x < splat(0.0f));

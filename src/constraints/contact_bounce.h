@@ -63,7 +63,7 @@ INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, R
 INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Real rebound1, Real rebound2)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), safe = blend(one, e, e > zero);
-	Real meet1 = rebound1 / safe, meet2 = rebound2 / safe;
+	Real meet1 = quotient(rebound1, safe), meet2 = quotient(rebound2, safe);
 	Real more1 = blend(zero, meet1 * meet1 - speed[0] * speed[0], rebound1 > zero),
 	     more2 = blend(zero, meet2 * meet2 - speed[1] * speed[1], rebound2 > zero);
 	// restitution above 1 adds energy on purpose

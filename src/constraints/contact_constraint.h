@@ -183,7 +183,7 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	Real leak = blend(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
 	Int limited = push < most;
 	if (lane_bits(limited)) // the test often saves a division, because few lanes are limited
-		leak = leak * blend(splat(1.0f), most / push, limited);
+		leak = leak * blend(splat(1.0f), quotient(most, push), limited);
 	Real mass_scale = blend(splat(step->pair.mass_scale), splat(step->fixed.mass_scale), fixed);
 	goal.bias = blend(maximum(push, most), goal.bias, apart);
 	goal.mass_scale = blend(mass_scale, goal.mass_scale, apart);
@@ -239,7 +239,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 
 	// change of the second impulse if both points push, limited so that this impulse is not negative; then the first
 	// point is solved with this change, and the second again with the change of the first
-	Real second = blend(zero, (change[1] - by0 * change[0]) / own, own > splat(PAIR_OWN));
+	Real second = blend(zero, quotient(change[1] - by0 * change[0], own), own > splat(PAIR_OWN));
 	Real first = push_of(impulse[0] + (change[0] - by1 * maximum(second, -impulse[1]))) - impulse[0];
 	second = push_of(impulse[1] + (change[1] - by0 * first)) - impulse[1];
 	impulse[0] = impulse[0] + first;
@@ -265,7 +265,7 @@ INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limi
 INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
-	Real mass = blend(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
+	Real mass = blend(splat(0.0f), quotient(1.0f, inertia), inertia > splat(0.0f));
 	Real limit = minimum(load(&contact_rare(p, rolling, i), 0) * weight, splat(MOST_IMPULSE));
 	Real old = load(&contact_rare(p, rolling_impulse, i), 0);
 	Real impulse = grip_of(old - mass * (c->b.w - c->a.w), limit);
@@ -300,8 +300,8 @@ INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1,
 	Real cross = pair_cross(c);
 	Real share = 1.0f - cross * mass1 * cross * mass2;
 	Int one = share < splat(PAIR_OWN);
-	*impulse1 = blend(mass1 * (lack1 - cross * mass2 * lack2) / share, mass1 * lack1, one);
-	*impulse2 = blend(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
+	*impulse1 = blend(quotient(mass1 * (lack1 - cross * mass2 * lack2), share), mass1 * lack1, one);
+	*impulse2 = blend(quotient(mass2 * (lack2 - cross * mass1 * lack1), share), splat(0.0f), one);
 }
 
 // Stops the approach of two points at the same time, if both will bounce. Solved one after the other, the points would
@@ -342,9 +342,9 @@ INLINE Real pair_energy(const ContactArms* c)
 	Int turns_a = c->a.inv_inertia > zero, turns_b = c->b.inv_inertia > zero;
 	Vec a = vec_blend(body_velocity_at(c->a, c->ra[0]), c->a.v, moves_a),
 	    b = vec_blend(body_velocity_at(c->b, c->rb[0]), c->b.v, moves_b), v = vec_sub(b, a);
-	Real energy = vec_dot(v, v) / blend(one, mass, mass > zero);
-	energy = energy + blend(zero, c->a.w * c->a.w / blend(one, c->a.inv_inertia, turns_a), turns_a);
-	energy = energy + blend(zero, c->b.w * c->b.w / blend(one, c->b.inv_inertia, turns_b), turns_b);
+	Real energy = quotient(vec_dot(v, v), blend(one, mass, mass > zero));
+	energy = energy + blend(zero, quotient(c->a.w * c->a.w, blend(one, c->a.inv_inertia, turns_a)), turns_a);
+	energy = energy + blend(zero, quotient(c->b.w * c->b.w, blend(one, c->b.inv_inertia, turns_b)), turns_b);
 	return 0.5f * energy;
 }
 
@@ -352,7 +352,7 @@ INLINE Real pair_energy(const ContactArms* c)
 INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
 {
 	Real zero = splat(0.0f), mass = c->a.inv_mass + c->b.inv_mass;
-	return 0.5f * maximum(maximum(more1, more2), zero) / blend(splat(1.0f), mass, mass > zero);
+	return quotient(0.5f * maximum(maximum(more1, more2), zero), blend(splat(1.0f), mass, mass > zero));
 }
 
 // Returns the largest fraction, from 0 to 1, of two impulses of a bounce that leaves the energy of the bodies at
@@ -363,13 +363,13 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
 	Real slope = speed[0] * impulse1 + speed[1] * impulse2;
-	Real yields = impulse1 * impulse1 / blend(one, mass[0], mass[0] > zero) +
-	              impulse2 * impulse2 / blend(one, mass[1], mass[1] > zero) +
+	Real yields = quotient(impulse1 * impulse1, blend(one, mass[0], mass[0] > zero)) +
+	              quotient(impulse2 * impulse2, blend(one, mass[1], mass[1] > zero)) +
 	              2.0f * pair_cross(c) * impulse1 * impulse2;
 	Real left = maximum(most - pair_energy(c), zero);
 	Int more = (slope + 0.5f * yields > left) & (yields > zero);
 	Real square = slope * slope + 2.0f * yields * left;
-	Real part = (root(blend(zero, square, more & (square > zero))) - slope) / blend(one, yields, more);
+	Real part = quotient(root(blend(zero, square, more & (square > zero))) - slope, blend(one, yields, more));
 	return blend(one, minimum(maximum(part, zero), one), more);
 }
 

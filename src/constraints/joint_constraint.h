@@ -215,7 +215,7 @@ INLINE Vec joint_line(Vec axis, Vec d, Int radial)
 {
 	Real square = vec_dot(d, d);
 	Int apart = radial & (square > splat(1.0e-12f)) & (square < splat(1.0e30f));
-	return vec_blend(axis, vec_scale(1.0f / root(blend(splat(1.0f), square, apart)), d), apart);
+	return vec_blend(axis, vec_scale(quotient(1.0f, root(blend(splat(1.0f), square, apart))), d), apart);
 }
 
 // Marks all lanes as having no coupling and no path, before coupling.h and path_constraint.h find any.
@@ -270,7 +270,7 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 	Int far = turns > bound;
 	if (!lane_bits(far))
 		return;
-	Real less = one - root(bound / blend(one, turns, far));
+	Real less = one - root(quotient(bound, blend(one, turns, far)));
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{

@@ -56,7 +56,8 @@ INLINE Real joint_drive_sum(const JointDrive* d) { return d->spring_impulse + d-
 // Returns the impulse of a spring in the bias pass (joint_spring.h).
 INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error)
 {
-	Real change = -(d->spring_answer * speed + d->spring_rate * error) / yield - d->spring_keeps * d->spring_impulse;
+	Real change =
+	    quotient(-(d->spring_answer * speed + d->spring_rate * error), yield) - d->spring_keeps * d->spring_impulse;
 	return bounded_impulse(d->spring_impulse + change);
 }
 
@@ -65,7 +66,7 @@ INLINE Real joint_spring_relaxed(const JointDrive* d, Real yield, Real speed, In
 {
 	Real old = d->spring_impulse;
 	full = full | (old <= d->spring_least) | (old >= d->spring_most);
-	return blend(bounded_impulse(old - d->spring_relaxes * speed / yield), old, full);
+	return blend(bounded_impulse(old - quotient(d->spring_relaxes * speed, yield)), old, full);
 }
 
 INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
@@ -106,7 +107,7 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, 
 	Real yields = blend(soft ? d->limit_soft : zero, zero, s > zero);
 	Real old = maximum(sign * d->limit_impulse, zero);
 	Real back = sign * speed + joint_limit_speed(p, d, k, s, soft) + yields * yield * joint_limit_load(d, sign, old);
-	return sign * push_of(old - back / (yield + yields * yield));
+	return sign * push_of(old - quotient(back, yield + yields * yield));
 }
 
 // Returns the target speed of a motor: the user's speed, reduced so that it does not lead through the nearer limit.
@@ -140,8 +141,8 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 	}
 	if (lane_bits(joint_has(u, JOINT_MOTOR(k))))
 	{
-		Real drive =
-		    bounded_impulse(d.motor_impulse - (speed - joint_motor_speed(p, &d, k, c->value[k], limit, soft)) / safe);
+		Real drive = bounded_impulse(d.motor_impulse -
+		                             quotient(speed - joint_motor_speed(p, &d, k, c->value[k], limit, soft), safe));
 		d.motor_impulse = blend(zero, blend(grip_of(drive, d.motor_most), drive, together), motor);
 		speed = blend(speed, speed + yield * (d.motor_impulse - old.motor_impulse), motor);
 	}
@@ -158,7 +159,7 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 INLINE Real joint_share(Real impulse, Real most)
 {
 	Int there = most > splat(0.0f);
-	return blend(splat(0.0f), within(impulse / blend(splat(1.0f), most, there), splat(1.0e15f)), there);
+	return blend(splat(0.0f), within(quotient(impulse, blend(splat(1.0f), most, there)), splat(1.0e15f)), there);
 }
 
 // Shortens the impulse (x, y) to the ellipse with the half axes most_x and most_y, if the impulse is outside. Sets a
@@ -169,7 +170,7 @@ INLINE void joint_shorten(Real* x, Real* y, Real most_x, Real most_y)
 	Real share_x = joint_share(*x, most_x), share_y = joint_share(*y, most_y);
 	Real square = share_x * share_x + share_y * share_y;
 	Int beyond = square > one;
-	Real back = one / root(blend(one, square, beyond));
+	Real back = quotient(one, root(blend(one, square, beyond)));
 	*x = blend(zero, blend(*x, back * share_x * most_x, beyond), most_x > zero);
 	*y = blend(zero, blend(*y, back * share_y * most_y, beyond), most_y > zero);
 }

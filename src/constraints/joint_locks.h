@@ -86,7 +86,7 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		Real answer = one / (one + s->softness[k]), kept = s->softness[k] * answer;
+		Real answer = quotient(one, one + s->softness[k]), kept = s->softness[k] * answer;
 		s->goal[k] = blend(s->goal[k], -(answer * speed[k] + kept * (own[k] * pull[k] + other[k])), rigid[k]);
 		s->yield[k] = blend(s->yield[k], own[k], rigid[k]);
 	}
@@ -166,11 +166,11 @@ INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
 {
 	JointFactors f;
 	f.first = s->yield[0];
-	f.l01 = s->cross[0] / s->yield[0];
-	f.l02 = s->cross[1] / s->yield[0];
+	f.l01 = quotient(s->cross[0], s->yield[0]);
+	f.l02 = quotient(s->cross[1], s->yield[0]);
 	f.d1 = blend(splat(1.0f), maximum(s->yield[1] - f.l01 * s->cross[0], mass), s->locked[1]);
 	Real rest = s->cross[2] - f.l01 * s->cross[1];
-	f.l12 = rest / f.d1;
+	f.l12 = quotient(rest, f.d1);
 	f.d2 = maximum((s->yield[2] - f.l02 * s->cross[1]) - f.l12 * rest, splat(JOINT_LEAST_YIELD) * s->yield[2]);
 	return f;
 }
@@ -178,9 +178,9 @@ INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
 INLINE void joint_solve(const JointFactors* f, const Real goal[3], Real x[3])
 {
 	Real y1 = goal[1] - f->l01 * goal[0], y2 = (goal[2] - f->l02 * goal[0]) - f->l12 * y1;
-	x[2] = y2 / f->d2;
-	x[1] = y1 / f->d1 - f->l12 * x[2];
-	x[0] = (goal[0] / f->first - f->l01 * x[1]) - f->l02 * x[2];
+	x[2] = quotient(y2, f->d2);
+	x[1] = quotient(y1, f->d1) - f->l12 * x[2];
+	x[0] = (quotient(goal[0], f->first) - f->l01 * x[1]) - f->l02 * x[2];
 }
 
 #endif

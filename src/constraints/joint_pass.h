@@ -72,10 +72,10 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 		                   c->b.inv_mass * (absolute(j.push.x) + absolute(j.push.y)),
 		               c->coupled);
 	Real spins = absolute(c->a.inv_inertia * j.angular_a) + absolute(c->b.inv_inertia * j.angular_b);
-	Real shares = maximum(faster / most, spins / spin);
+	Real shares = maximum(quotient(faster, most), quotient(spins, spin));
 	Real allowed = maximum(splat(JOINT_BLOW), splat(JOINT_CARRIES) * u->carried);
 	Int sound = (faster <= splat(MOST_FLOAT)) & (spins <= splat(MOST_FLOAT));
-	Real part = blend(splat(0.0f), blend(splat(1.0f), allowed / shares, shares > allowed), sound);
+	Real part = blend(splat(0.0f), blend(splat(1.0f), quotient(allowed, shares), shares > allowed), sound);
 	u->carried = blend(splat(0.0f), minimum(shares, allowed), sound);
 	if (lane_bits(part < splat(1.0f)))
 	{
@@ -161,7 +161,7 @@ INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 	Real turn = p->step.h * c->bend * along, yield = joint_yield_linear(c, JOINT_ALONG);
 	Int pulled = c->railed & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) & (yield > zero) &
 	             (absolute(across) > splat(JOINT_BENDS) * absolute(turn * along)) & (absolute(turn) < splat(1.0f));
-	Real impulse = bounded_impulse(-(turn * across) / blend(splat(1.0f), yield, pulled));
+	Real impulse = bounded_impulse(quotient(-(turn * across), blend(splat(1.0f), yield, pulled)));
 	joint_give_where(u, c, joint_impulse(c, blend(zero, impulse, pulled), zero, zero), pulled);
 }
 

@@ -26,8 +26,8 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer,
 	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
 
 	// a lock just above 0 Hz is so soft that it has no effect; at exactly 0 Hz it is rigid
-	*rate = blend(splat(0.0f), omega / a1, a2 > splat(0.0f));
-	*soft = blend(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
+	*rate = blend(splat(0.0f), quotient(omega, a1), a2 > splat(0.0f));
+	*soft = blend(splat(0.0f), minimum(quotient(1.0f, a2), splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
 
 // Computes rate and softness of the lock of coordinate k. joint_setup_spring replaces them for a soft lock.

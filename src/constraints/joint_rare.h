@@ -82,7 +82,7 @@ INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const Join
 	Real lever = vec_cross(vec(u->arm_a_x, u->arm_a_y), c->axis[k]) + (k == JOINT_ALONG ? -aim : aim);
 	Real there = c->mass + c->a.inv_inertia * lever * lever + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
 	Int yields = there > zero;
-	Real ratio = blend(one, joint_yield(c, k) / blend(one, there, yields), yields);
+	Real ratio = blend(one, quotient(joint_yield(c, k), blend(one, there, yields)), yields);
 	Int sound = (ratio < splat(MOST_FLOAT)) & (joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) == 0);
 	return root(blend(one, ratio, sound));
 }
@@ -103,13 +103,13 @@ INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joi
 	Real ratio = more * blend(from.spring_ratio, lock[2], softens);
 	JointSpring s = joint_spring_of(p, hertz, ratio, share, beside, alone);
 	Real answer = maximum(one - s.keeps, splat(SPRING_LEAST_ANSWER));
-	Real relaxes = minimum(share * (one - s.relaxes) / s.relaxes, splat(JOINT_SOFTEST));
-	store(&joint_drive_row(p, k, spring_answer, i), 0, (one - s.keeps) / share);
-	store(&joint_drive_row(p, k, spring_rate, i), 0, s.pull * p->step.inv_h / share);
+	Real relaxes = minimum(quotient(share * (one - s.relaxes), s.relaxes), splat(JOINT_SOFTEST));
+	store(&joint_drive_row(p, k, spring_answer, i), 0, quotient(one - s.keeps, share));
+	store(&joint_drive_row(p, k, spring_rate, i), 0, quotient(s.pull * p->step.inv_h, share));
 	store(&joint_drive_row(p, k, spring_keeps, i), 0, s.keeps);
-	store(&joint_drive_row(p, k, spring_relaxes, i), 0, blend(s.relaxes / share, relaxes, softens));
-	*rate = blend(*rate, s.pull * p->step.inv_h / answer, softens);
-	*hold = blend(*hold, share * (one - answer) / answer, softens);
+	store(&joint_drive_row(p, k, spring_relaxes, i), 0, blend(quotient(s.relaxes, share), relaxes, softens));
+	*rate = blend(*rate, quotient(s.pull * p->step.inv_h, answer), softens);
+	*hold = blend(*hold, quotient(share * (one - answer), answer), softens);
 }
 
 // Returns the largest number of constraints, contacts included, at a movable body of joint i; at least 1.

@@ -73,7 +73,7 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	Int acts = square > splat(SPRING_LEAST);
 	Real least = blend(splat(SPRING_AMONG) * own * own * own * own * share, zero, alone > zero);
 	square = blend(one, square, acts);
-	Real free = minimum(splat(SPRING_FREE), SPRING_SHARED / beside);
+	Real free = minimum(splat(SPRING_FREE), quotient(SPRING_SHARED, beside));
 	Real decay = maximum(maximum(ratio * own * share, least), splat(SPRING_CALMS) * (square - free));
 	Real rest = (angle - decay) * (angle + decay);
 	Int over = rest < zero;
@@ -83,14 +83,14 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	Real circular = lost * lost + left * spring_versine(blend(rest, zero, over));
 	// overdamped: two real decays; the slow one is a quotient, because a difference of near numbers is inexact
 	Real fast = decay + root(blend(zero, -rest, over));
-	Real slow = square / blend(one, fast, over);
+	Real slow = quotient(square, blend(one, fast, over));
 	Real pull = blend(circular, spring_lost(slow) * spring_lost(fast), over);
 
-	Real product = left * left, keeps = minimum(maximum(pull / square, product), one);
+	Real product = left * left, keeps = minimum(maximum(quotient(pull, square), product), one);
 	JointSpring s;
 	s.keeps = blend(one, keeps, acts);
 	s.pull = blend(zero, pull, acts);
-	s.relaxes = blend(zero, maximum(one - product / keeps, zero), acts);
+	s.relaxes = blend(zero, maximum(one - quotient(product, keeps), zero), acts);
 	return s;
 }
 
@@ -123,11 +123,11 @@ INLINE Real joint_share_free(const Joint* u, const JointPose* c, int k)
 	Real ki = blend(zero, cross[k + i - 1], first), kj = blend(zero, cross[k + j - 1], second);
 	Real ij = blend(zero, cross[i + j - 1], first & second);
 	Real ii = blend(one, joint_yield(c, i), first), jj = blend(one, joint_yield(c, j), second);
-	Real own = joint_yield(c, k), l = ij / ii;
+	Real own = joint_yield(c, k), l = quotient(ij, ii);
 	Real rest = maximum(jj - l * ij, splat(SPRING_LEAST_YIELD) * jj), kept = kj - l * ki;
-	Real yield = (own - ki * (ki / ii)) - kept * (kept / rest);
+	Real yield = (own - ki * quotient(ki, ii)) - kept * quotient(kept, rest);
 	Int sound = (own > zero) & (yield <= own);
-	return blend(one, maximum(yield / blend(one, own, sound), splat(SPRING_LEAST_YIELD)), sound);
+	return blend(one, maximum(quotient(yield, blend(one, own, sound)), splat(SPRING_LEAST_YIELD)), sound);
 }
 
 #endif

@@ -30,12 +30,13 @@ INLINE PathArc path_arc(Real bend, Real x, Real y)
 	Int off = (square > splat(PATH_CENTER)) & (square < splat(1.0e30f));
 	PathArc arc;
 	arc.out = root(blend(one, square, off));
-	arc.turn = vec_blend(vec(one, splat(0.0f)), vec(c / arc.out, s / arc.out), off);
+	arc.turn = vec_blend(vec(one, splat(0.0f)), vec(quotient(c, arc.out), quotient(s, arc.out)), off);
 	Real q = arc.turn.y * arc.turn.y;
-	arc.along = x / arc.out * (one + q * (splat(1.0f / 6.0f) + q * (splat(3.0f / 40.0f) + q * splat(15.0f / 336.0f))));
+	arc.along =
+	    quotient(x, arc.out) * (one + q * (splat(1.0f / 6.0f) + q * (splat(3.0f / 40.0f) + q * splat(15.0f / 336.0f))));
 	Int far = off & ((q > splat(PATH_SERIES)) | (arc.turn.x < splat(0.0f)));
 	if (lane_bits(far))
-		arc.along = blend(arc.along, vec_angle(arc.turn) / blend(one, bend, far), far);
+		arc.along = blend(arc.along, quotient(vec_angle(arc.turn), blend(one, bend, far)), far);
 	return arc;
 }
 
@@ -51,7 +52,7 @@ OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	Real zero = splat(0.0f), one = splat(1.0f), x = c->value[JOINT_ALONG], y = c->value[JOINT_ACROSS];
 	Real bend = load(&joint_rare(p, bend, i), 0), sway = load(&joint_rare(p, sway, i), 0);
 	PathArc arc = path_arc(bend, x, y);
-	Real across = (2.0f * y - bend * (x * x + y * y)) / (one + arc.out);
+	Real across = quotient(2.0f * y - bend * (x * x + y * y), one + arc.out);
 	Real more = within(0.5f * sway * arc.along * arc.along, splat(PATH_MOST_SWAY)), q = more * more;
 	Vec turn = vec_turn(arc.turn, vec(one - q * (0.5f - q * (1.0f / 24.0f)), more * (one - q * (1.0f / 6.0f))));
 	Real angle = c->value[JOINT_ANGLE] - (bend * arc.along + more);
@@ -59,7 +60,7 @@ OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	// lanes that are not finite keep their axes, so that the other body of the joint is not affected
 	Int sound = c->railed & (absolute((across + arc.along) + (angle + (turn.x + turn.y))) <= splat(MOST_FLOAT));
 	turn = vec_blend(vec(one, zero), turn, sound);
-	c->bend = blend(zero, (bend + sway * arc.along) / maximum(arc.out, splat(0.1f)), sound);
+	c->bend = blend(zero, quotient(bend + sway * arc.along, maximum(arc.out, splat(0.1f))), sound);
 	c->value[JOINT_ALONG] = blend(c->value[JOINT_ALONG], arc.along, sound);
 	c->value[JOINT_ACROSS] = blend(c->value[JOINT_ACROSS], across, sound);
 	c->value[JOINT_ANGLE] = blend(c->value[JOINT_ANGLE], angle, sound);

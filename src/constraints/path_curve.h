@@ -70,7 +70,7 @@ INLINE int path_nearest(const PathCurve* c, Vec point)
 	for (int k = 0; k < c->segments; ++k)
 	{
 		Vec chord = vec_sub(path_point(c, k + 1), path_point(c, k)), from = vec_sub(point, path_point(c, k));
-		Vec rest = vec_sub(from, vec_scale(path_share(vec_dot(from, chord) / vec_dot(chord, chord)), chord));
+		Vec rest = vec_sub(from, vec_scale(path_share(quotient(vec_dot(from, chord), vec_dot(chord, chord))), chord));
 		float square = vec_dot(rest, rest);
 		if (k > 0 && !(square < least))
 			continue;
@@ -129,10 +129,10 @@ INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
 	float square = vec_dot(speed, speed);
 	PathFoot foot;
 	foot.point = vec_add(path_point(c, segment), path_cubic_point(&cubic, t));
-	foot.tangent = square > 0.0f ? vec_scale(1.0f / root(square), speed) : path_tangent(c, segment);
+	foot.tangent = square > 0.0f ? vec_scale(quotient(1.0f, root(square)), speed) : path_tangent(c, segment);
 	foot.along = from->along + t * from->length;
 	foot.bend = from->bend + t * (to->bend - from->bend);
-	foot.sway = (to->bend - from->bend) / from->length;
+	foot.sway = quotient(to->bend - from->bend, from->length);
 	return foot;
 }
 
@@ -141,7 +141,7 @@ INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
 INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
 {
 	float before = path_ahead(c, segment, point), behind = path_ahead(c, segment + 1, point);
-	float t = path_share(before / (before - behind));
+	float t = path_share(quotient(before, before - behind));
 	PathCubic cubic = path_cubic(c, segment);
 	Vec from = vec_sub(point, path_point(c, segment));
 	for (int k = 0; k < 2; ++k)
@@ -149,7 +149,7 @@ INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
 		Vec rest = vec_sub(from, path_cubic_point(&cubic, t)), speed = path_cubic_speed(&cubic, t);
 		Vec bends = vec_add(vec_add(cubic.m2, cubic.m2), vec_scale(6.0f * t, cubic.m3));
 		float slope = vec_dot(speed, speed) - vec_dot(rest, bends);
-		t = slope > 0.0f ? path_share(t + vec_dot(rest, speed) / slope) : t;
+		t = slope > 0.0f ? path_share(t + quotient(vec_dot(rest, speed), slope)) : t;
 	}
 	PathFoot foot = path_foot_at(c, segment, t);
 	if (!c->closed && ((segment == 0 && before < 0.0f) || (segment == c->segments - 1 && behind > 0.0f)))

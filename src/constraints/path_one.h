@@ -49,11 +49,11 @@ INLINE void path_count_put(const Pools* p, int place, const PathCount* count)
 // Returns the number of the lap in which an arc length over all laps lies; 0 on an open path.
 INLINE float path_lap(const PathCurve* curve, float along)
 {
-	float laps = curve->closed ? (float)(int)(along / curve->length) : 0.0f;
+	float laps = curve->closed ? (float)(int)quotient(along, curve->length) : 0.0f;
 	return curve->closed && along < laps * curve->length ? laps - 1.0f : laps;
 }
 
-INLINE float path_spacing(const PathCurve* curve) { return curve->length / (float)curve->segments; }
+INLINE float path_spacing(const PathCurve* curve) { return quotient(curve->length, (float)curve->segments); }
 
 // Returns the number of the lap in which a new joint begins: that of `near`, or a neighboring one if the seam is
 // between `near` and the joint. near: m, JointData.near, over all laps. along: m, arc length of the joint in a lap.
@@ -84,7 +84,7 @@ INLINE PathFoot path_follow(const Pools* p, int slot, PathCount* count)
 		if (path_distance(&foot, anchor) > PATH_NEARER * path_distance(&nearest, anchor) + path_spacing(&curve))
 		{
 			// laps that bring the new arc length as close as possible to that of the last position
-			float back = (curve.samples[begin].along - nearest.along) / curve.length;
+			float back = quotient(curve.samples[begin].along - nearest.along, curve.length);
 			count->laps = count->laps + (curve.closed ? joint_round(back) : 0.0f);
 			segment = other;
 			foot = nearest;

@@ -99,7 +99,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		if (k == 0)
 		{
 			// for two corners, the normal is the direction from a to b, if this is within 60 degrees of `now`
-			Vec direction = vec_scale(1.0f / root(vec_dot(between, between)), between);
+			Vec direction = vec_scale(quotient(1.0f, root(vec_dot(between, between))), between);
 			direction = vec_blend(now, direction, vec_dot(direction, now) > splat(0.5f));
 			points.normal = vec_blend(points.normal, direction, corners);
 		}
@@ -138,17 +138,17 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 		return points;
 
 	// a body that rests on two points does not roll: the more equally they carry the load, the more the contact is held
-	Real share = absolute(load1 - load2) / load;
+	Real share = quotient(absolute(load1 - load2), load);
 	Real reach =
 	    minimum(sweep_shape(&p->attribute->reach, real_bits(a[6])), sweep_shape(&p->attribute->reach, real_bits(b[6])));
 	Real mobility = body_a[3] + body_b[3] + reach * reach * (body_a[7] + body_b[7]);
-	Real stiffness = p->step.dt * p->step.dt * p->step.inv_h * load * mobility / reach;
+	Real stiffness = quotient(p->step.dt * p->step.dt * p->step.inv_h * load * mobility, reach);
 	Int stiff = stiffness > splat(ROLLING_STIFFNESS);
-	Real follows = ROLLING_STIFFNESS / stiffness;
+	Real follows = quotient(ROLLING_STIFFNESS, stiffness);
 	share = blend(share, share * follows, stiff);
 
 	// shift of the points along the tangent: the load opposes the relative rotation, but does not reverse it
-	Real rate = ROLLING_TURN / maximum(stiffness, splat(ROLLING_LIGHT));
+	Real rate = quotient(ROLLING_TURN, maximum(stiffness, splat(ROLLING_LIGHT)));
 	Real turn = (advance_b.turn - advance_a.turn) * rate;
 	Real most = blend(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);
 	Real lever = -reach * minimum(maximum(turn, -most), most);

@@ -69,7 +69,7 @@ INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
 }
 
 // Returns the time, in steps, at which the prediction ends: one substep after the end of the step; 1 if dt is 0.
-INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + step->h / step->dt : 1.0f; }
+INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + quotient(step->h, step->dt) : 1.0f; }
 
 // Returns a velocity limited to max_speed; 0 for a velocity that is not finite, because its body will be frozen.
 INLINE Vec sweep_velocity(const Step* step, Vec v)

@@ -46,6 +46,7 @@ INLINE float bits_float(int i)
 INLINE int leading_zeros(Word64 x) { return __builtin_clzll(x); }
 INLINE int lowest_bit(Word64 x) { return __builtin_ctzll(x); }
 #define square_root(x) __builtin_sqrtf(x)
+#define quotient(a, b) ((a) / (b))
 
 // one bound of eight packed boxes
 typedef const float* Bound8;

@@ -35,7 +35,8 @@ INLINE Real vec_shrink(Vec v, float length)
 	Real square = vec_dot(v, v);
 	Real unit = blend(splat(1.0f), splat(1.35525272e-20f), square > splat(1.0e36f)); // 2^-66
 	Vec shorter = vec_scale(unit, v);
-	return blend(splat(1.0f), unit * length / root(vec_dot(shorter, shorter)), square > splat(length * length));
+	return blend(splat(1.0f), quotient(unit * length, root(vec_dot(shorter, shorter))),
+	             square > splat(length * length));
 }
 
 #endif

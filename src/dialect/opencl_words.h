@@ -20,7 +20,24 @@ typedef int2 Int2;
 #define bits_float(x)           as_float(x)
 #define leading_zeros(x)        ((int)clz(x))
 #define lowest_bit(x)           (63 - leading_zeros((x) & (~(x) + (ulong)1)))
-#define square_root(x)          sqrt(x)
+
+// Devices that do not round quotients and roots correctly compile OWN_ROUNDING. WORSE_ROUNDING is for tests on other
+// devices: it adds errors of -2 to 2 ulp.
+#ifdef OWN_ROUNDING
+#ifdef WORSE_ROUNDING
+INLINE float worse(float x) { return as_float(as_uint(x) + (as_uint(x) * 2654435761u >> 16) % 5u - 2u); }
+#else
+#define worse(x) (x)
+#endif
+#define inexact_quotient(a, b) worse((a) / (b))
+#define inexact_root(x)        worse(sqrt(x))
+#include "dialect/own_rounding.h"
+#define quotient(a, b) own_quotient(a, b)
+#define square_root(x) own_root(x)
+#else
+#define quotient(a, b) ((a) / (b))
+#define square_root(x) sqrt(x)
+#endif
 
 // Integer atomics: sums, maxima, minima and bit masks, which do not depend on the order of the work-items. Lists that
 // grow by a counter are sorted before they are read in order.

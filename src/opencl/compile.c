@@ -6,7 +6,7 @@
 #include <string.h>
 
 #define LOG_LINES    40 // maximum number of lines of the compiler's messages that are logged
-#define OPTION_BYTES 128
+#define OPTION_BYTES 192
 
 static void all_options(const Device* device, const char* more, char text[OPTION_BYTES])
 {

@@ -80,9 +80,7 @@ static void check_support(Device* d)
 	if (!d->usable)
 		return;
 
-	if (!d->correct_division)
-		snprintf(reason, size, "it does not round division and square root correctly");
-	else if (!(floats & CL_FP_DENORM))
+	if (!(floats & CL_FP_DENORM))
 		snprintf(reason, size, "it flushes denormal numbers to zero");
 	else if (!(floats & CL_FP_ROUND_TO_NEAREST))
 		snprintf(reason, size, "it does not round to nearest");

@@ -77,6 +77,7 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 	}
 	char* text = NULL;
 	size_t length = 0;
+	char form[32];
 	FILE* memory = open_memstream(&text, &length);
 	if (!memory)
 		return;
@@ -84,7 +85,7 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 		fprintf(memory, "%s: differed, and does not when run again\n", what);
 	program_write(program, memory);
 	fprintf(memory, "again: programs --device %s --form %s --replay %s\n\n", o->places[1].device,
-	        form_names[solve_form_setting], path);
+	        form_name(solve_form_setting, rounding_setting, form), path);
 	fclose(memory);
 	fwrite(text, 1, length, stdout);
 	fflush(stdout);
@@ -166,10 +167,11 @@ static bool ended(const Options* o, Desk* desk, pid_t child)
 	if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
 		return true;
 	desk->failed += 1;
+	char form[32];
 	printf("program %" PRIu64 ": %s (status %d); again: programs --seed %" PRIu64
 	       " --programs 1 --calls %d --device %s --form %s\n",
 	       desk->seed, late ? "it hangs" : "the process crashed", status, desk->seed, o->calls, o->places[1].device,
-	       form_names[solve_form_setting]);
+	       form_name(solve_form_setting, rounding_setting, form));
 	return true;
 }
 

@@ -142,16 +142,16 @@ OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global u
 		if (!relay_receive_part(p, r, parts, spoke_places(p) + n, q, &part, &spin))
 			return false;
 		float count = spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, n).first));
-		sum = vec((part.x - b.v.x) / count, (part.y - b.v.y) / count);
-		w = (spin - b.w) / count;
+		sum = vec(quotient(part.x - b.v.x, count), quotient(part.y - b.v.y, count));
+		w = quotient(spin - b.w, count);
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
 		if (!relay_receive_part(p, r, parts, p->spoke_order[k] / HUB_COLORS, q, &part, &spin))
 			return false;
 		float count = spoke_at(p, parts, p->spoke_order[k] / HUB_COLORS);
-		sum = vec_add(sum, vec((part.x - b.v.x) / count, (part.y - b.v.y) / count));
-		w = w + (spin - b.w) / count;
+		sum = vec_add(sum, vec(quotient(part.x - b.v.x, count), quotient(part.y - b.v.y, count)));
+		w = w + quotient(spin - b.w, count);
 	}
 	relay_send_from_hub(p, r, side, q, b.v.x + sum.x, b.v.y + sum.y, b.w + w);
 	return true;

@@ -114,7 +114,7 @@ INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 	Float4 pose = p->pose[i];
 	Float2 low = p->pose_low[i];
 	Vec to = command_center(p, i, target);
-	float rate = 1.0f / p->step.dt;
+	float rate = quotient(1.0f, p->step.dt);
 	Vec v = vec(((to.x - pose.x) - low.x) * rate, ((to.y - pose.y) - low.y) * rate);
 	float turn = vec_angle(vec_turn_back(vec(pose.z, pose.w), vec(target.z, target.w)));
 	command_velocity(p, i, sweep_velocity(&p->step, v));

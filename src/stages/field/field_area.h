@@ -34,7 +34,7 @@ INLINE void field_area_edge(FieldArea* sum, Vec a, Vec b)
 		return;
 	if (a.y > 0.0f || b.y > 0.0f)
 	{
-		Vec cut = vec(a.x + (b.x - a.x) * (a.y / (a.y - b.y)), 0.0f);
+		Vec cut = vec(a.x + (b.x - a.x) * quotient(a.y, a.y - b.y), 0.0f);
 		if (a.y > 0.0f)
 			a = cut;
 		else
@@ -63,7 +63,7 @@ INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 // Adds the integrals along an arc, without its part above y = 0. Both ends may be below y = 0 and the middle above.
 INLINE void field_area_arc(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
-	float sine = -center.y / r; // sine of the directions in which the circle crosses the surface
+	float sine = quotient(-center.y, r); // sine of the directions in which the circle crosses the surface
 	if (sine <= -1.0f)
 		return;
 	if (sine >= 1.0f)
@@ -165,7 +165,7 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 			float square = vec_dot(bisector, bisector),
 			      sine = maximum(1.0f - 0.25f * square, 0.0f); // squares of 2 cos(a / 2) and of sin(a / 2)
 			float far = shape->radius * (1.0f + sine * (1.0f / 6.0f) + sine * sine * (1.0f / 9.0f));
-			out[count++] = vec_add(at, vec_scale(far / square_root(square), bisector));
+			out[count++] = vec_add(at, vec_scale(quotient(far, square_root(square)), bisector));
 		}
 		out[count++] = vec_add(at, vec_scale(shape->radius, normal));
 		before = normal;
@@ -192,7 +192,7 @@ RARE FieldArea field_area_clipped(const GLOBAL Attribute* shape, Vec turn, const
 			float depth_b = vec_dot(b, edges[e].normal) + edges[e].offset;
 			int out_a = depth_a > 0.0f, out_b = depth_b > 0.0f;
 			if (out_a != out_b && kept < FIELD_CORNERS)
-				next[kept++] = vec_add(a, vec_scale(depth_a / (depth_a - depth_b), vec_sub(b, a)));
+				next[kept++] = vec_add(a, vec_scale(quotient(depth_a, depth_a - depth_b), vec_sub(b, a)));
 			if (!out_b && kept < FIELD_CORNERS)
 				next[kept++] = b;
 			a = b;

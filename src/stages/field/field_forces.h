@@ -51,13 +51,13 @@ INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
 	if (!(r > 0.0f))
 		return 0.0f;
 	if (field->falloff == FALLOFF_LINEAR)
-		share = maximum(1.0f - r / field->radius, 0.0f);
+		share = maximum(1.0f - quotient(r, field->radius), 0.0f);
 	else if (field->falloff != FALLOFF_CONSTANT)
-		share = field->radius / r;
+		share = quotient(field->radius, r);
 	if (field->falloff == FALLOFF_INVERSE_SQUARE)
 		share = share * share;
-	float most = 1.0f / (p->step.dt * p->step.dt);
-	return within(field->strength * share / r, most);
+	float most = quotient(1.0f, p->step.dt * p->step.dt);
+	return within(quotient(field->strength * share, r), most);
 }
 
 // Returns whether the filter of a field accepts everything, or some dynamic collidable of a body.
@@ -80,7 +80,7 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	if (!field_holds(field, &spot, at) || !field_sees_body(p, field, body))
 		return;
 	BodyState state = p->body[body];
-	float mass = 1.0f / state.inv_mass;
+	float mass = quotient(1.0f, state.inv_mass);
 	Vec center = vec(0.0f, 0.0f), way = vec(spot.pose.x - at.x, spot.pose.y - at.y);
 	if (field->kind == FIELD_UNIFORM)
 	{

@@ -29,7 +29,7 @@ INLINE Vec field_middle(const GLOBAL Attribute* shape)
 	Vec sum = vec(0.0f, 0.0f);
 	for (int k = 0; k < shape->count; ++k)
 		sum = vec_add(sum, vec(shape->vertices[k].x, shape->vertices[k].y));
-	return vec_scale(1.0f / (float)shape->count, sum);
+	return vec_scale(quotient(1.0f, (float)shape->count), sum);
 }
 
 // Adds drag and lift of the wind, if the mean of the corners is in the field. They act at the middle of each edge that
@@ -53,7 +53,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const
 		if (!(facing > 0.0f && speed > 0.0f)) // `speed` may be 0: squares of small numbers may be rounded to 0
 			continue;
 		float rate = pressure * facing * square_root(vec_dot(edge, edge));
-		float side = field->lift * rate * (vec_cross(normal, e) / speed);
+		float side = field->lift * rate * quotient(vec_cross(normal, e), speed);
 		field_brake(sum, arm, field->drag * rate, vec_scale(field->drag * rate, e));
 		field_brake(sum, arm, absolute(side), vec_spin(side, e));
 	}
@@ -126,10 +126,10 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* sp
 INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
 {
 	BodyState state = p->body[body];
-	float dt = p->step.dt, lever = vec_cross(arm, gravity) / weight;
+	float dt = p->step.dt, lever = quotient(vec_cross(arm, gravity), weight);
 	float easy = state.inv_mass + lever * lever * state.inv_inertia;
-	float most = minimum(depth / (dt * dt), 2.0f * square_root(weight * width) / dt);
-	return (weight + most) / easy;
+	float most = minimum(quotient(depth, dt * dt), quotient(2.0f * square_root(weight * width), dt));
+	return quotient(weight + most, easy);
 }
 
 // Adds the forces of a fluid. Three of them act at the centroid of the immersed part: buoyancy, drag in proportion to
@@ -143,13 +143,13 @@ INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSa
 	FieldArea part = field_immersed(field, spot, t, &depth);
 	if (!(part.area > 0.0f))
 		return;
-	Vec arm = vec_add(t->arm, vec(part.x / part.area, part.y / part.area));
+	Vec arm = vec_add(t->arm, vec(quotient(part.x, part.area), quotient(part.y, part.area)));
 	Vec gravity = vec(p->step.gravity_x, p->step.gravity_y);
 	float weight = square_root(vec_dot(gravity, gravity)), width = 2.0f * square_root(part.area * 0.318309886f);
 	if (weight > 0.0f && weight < MOST_FLOAT)
 	{
 		float most = field_most_lift(p, body, arm, gravity, weight, depth, width);
-		field_push(sum, arm, vec_scale(-minimum(field->density * part.area, most / weight), gravity));
+		field_push(sum, arm, vec_scale(-minimum(field->density * part.area, quotient(most, weight)), gravity));
 	}
 	Vec e = field_passing(field, spot, t, arm);
 	float rate =

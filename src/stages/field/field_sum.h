@@ -77,7 +77,7 @@ INLINE int field_holds(const GLOBAL Field* field, const FieldSample* spot, Vec a
 		       normal = shape->normals[k];
 		Vec from = vec(q.x - a.x, q.y - a.y), edge = vec(b.x - a.x, b.y - a.y);
 		float along = vec_dot(from, edge), length = vec_dot(edge, edge);
-		float share = along > 0.0f && length > 0.0f ? minimum(along / length, 1.0f) : 0.0f;
+		float share = along > 0.0f && length > 0.0f ? minimum(quotient(along, length), 1.0f) : 0.0f;
 		Vec apart = vec_sub(from, vec_scale(share, edge));
 		nearest = minimum(nearest, vec_dot(apart, apart));
 		inside = inside && vec_dot(from, vec(normal.x, normal.y)) <= 0.0f;
@@ -191,18 +191,18 @@ INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
 	BodyState state = p->body[body];
 	Motion motion = p->motion[body];
 	float dt = p->step.dt, slow = dt * (sum->rate * state.inv_mass), slow_w = dt * (sum->rate_w * state.inv_inertia);
-	float linear = slow > 1.0f ? 1.0f / slow : 1.0f, angular = slow_w > 1.0f ? 1.0f / slow_w : 1.0f;
+	float linear = slow > 1.0f ? quotient(1.0f, slow) : 1.0f, angular = slow_w > 1.0f ? quotient(1.0f, slow_w) : 1.0f;
 	float fx = linear * sum->drag_x, fy = linear * sum->drag_y, torque = angular * sum->drag_torque;
 	float most = maximum(maximum(absolute(fx), absolute(fy)), absolute(torque)), share = 1.0f;
 	if (most > 1.0e-30f && most < FIELD_MOST)
 	{
-		float unit = 1.0f / most; // scales all forces to at most 1, so that their squares are finite
+		float unit = quotient(1.0f, most); // scales all forces to at most 1, so that their squares are finite
 		float dx = motion.free_x * state.inv_mass * (unit * fx), dy = motion.free_y * state.inv_mass * (unit * fy);
 		float dw = state.inv_inertia * (unit * torque);
 		float gain = unit * sum->drag_x * dx + unit * sum->drag_y * dy + unit * sum->drag_torque * dw;
 		float loss =
 		    sum->rate * (dx * dx + dy * dy) + 2.0f * dw * (sum->rate_x * dy - sum->rate_y * dx) + sum->rate_w * dw * dw;
-		share = dt * loss > gain ? gain / (dt * loss) : 1.0f;
+		share = dt * loss > gain ? quotient(gain, dt * loss) : 1.0f;
 	}
 	sum->drag_x = share * fx;
 	sum->drag_y = share * fy;

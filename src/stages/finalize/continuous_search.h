@@ -108,7 +108,7 @@ INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep
 	Vec arm =
 	    vec_add(vec_add(center, vec_scale(met.time, vec_sub(g->way.path, goes.path))), continuous_arm(g->way, met));
 	float away = vec_dot(met.normal, vec_add(goes.path, vec_spin(goes.turn, arm)));
-	float keeps = within(away / continuous_away(g->way, met), 1.0f);
+	float keeps = within(quotient(away, continuous_away(g->way, met)), 1.0f);
 	return met.time + (1.0f - met.time) * maximum(keeps, 0.0f);
 }
 

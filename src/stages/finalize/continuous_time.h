@@ -59,7 +59,7 @@ INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Clos
 		// t = 2 gap / twice is the solution of speed t + most t^2 / 2 = gap
 		float twice = speed + square_root(speed * speed + 2.0f * most * gap);
 		if (twice > gap)
-			soon = minimum(soon, 2.0f * gap / twice);
+			soon = minimum(soon, quotient(2.0f * gap, twice));
 	}
 	return soon;
 }
@@ -115,7 +115,7 @@ INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 	if (shape->count == 1)
 	{
 		float distance = square_root(vec_dot(away, away));
-		side.normal = distance > CENTERS_APART ? vec_scale(1.0f / distance, away) : vec(0.0f, 1.0f);
+		side.normal = distance > CENTERS_APART ? vec_scale(quotient(1.0f, distance), away) : vec(0.0f, 1.0f);
 	}
 	else
 	{

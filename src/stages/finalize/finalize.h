@@ -18,7 +18,7 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	if (da != 0.0f)
 	{
 		turn = vec_turn(vec_rotation(da), turn);
-		turn = vec_scale(1.0f / square_root(vec_dot(turn, turn)), turn);
+		turn = vec_scale(quotient(1.0f, square_root(vec_dot(turn, turn))), turn);
 	}
 	pose_move(p, i, d, turn);
 }
@@ -37,7 +37,7 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 	{
 		float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
 		float most = maximum(bits_float(press.speed), (between ? PRESS_SLOWER : 1.0f) * press.before) + fall;
-		float spin = maximum(press.spun, most / maximum(p->continuous_body[i].reach, LINEAR_SLOP));
+		float spin = maximum(press.spun, quotient(most, maximum(p->continuous_body[i].reach, LINEAR_SLOP)));
 		*v = vec_scale(vec_shrink(*v, most), *v);
 		*w = within(*w, spin);
 		*d = vec_scale(vec_shrink(*d, p->step.dt * maximum(most, p->step.push_speed)), *d);

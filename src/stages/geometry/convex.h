@@ -103,7 +103,7 @@ INLINE ConvexNearest convex_at_corner(const Convex* c, int edge, int corner, Vec
 	n.edge = edge;
 	n.corner = corner;
 	n.separation = distance - c->radius;
-	n.normal = distance > 0.0f ? vec(d.x / distance, d.y / distance) : up;
+	n.normal = distance > 0.0f ? vec(quotient(d.x, distance), quotient(d.y, distance)) : up;
 	return n;
 }
 
@@ -152,12 +152,12 @@ INLINE ConvexHit convex_hit_corner(const Convex* c, int edge, int corner, Vec q,
 	Real closing = -vec_dot(from, path), square = vec_dot(path, path);
 	if (!(closing > 0.0f) || !(square > 0.0f))
 		return hit;
-	Real middle = closing / square;
+	Real middle = quotient(closing, square);
 	Vec passing = vec_add(from, vec_scale(middle, path));
 	Real room = c->radius * c->radius - vec_dot(passing, passing);
 	if (room < 0.0f)
 		return hit;
-	Real fraction = maximum(middle - root(room / square), 0.0f);
+	Real fraction = maximum(middle - root(quotient(room, square)), 0.0f);
 	if (fraction > 1.0f)
 		return hit;
 	Vec at = vec_add(from, vec_scale(fraction, path));
@@ -166,7 +166,8 @@ INLINE ConvexHit convex_hit_corner(const Convex* c, int edge, int corner, Vec q,
 	hit.fraction = fraction;
 	hit.edge = edge;
 	hit.corner = corner;
-	hit.normal = distance > 0.0f ? vec(at.x / distance, at.y / distance) : vec(-path.x / length, -path.y / length);
+	hit.normal = distance > 0.0f ? vec(quotient(at.x, distance), quotient(at.y, distance))
+	                             : vec(quotient(-path.x, length), quotient(-path.y, length));
 	return hit;
 }
 
@@ -187,8 +188,9 @@ INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 {
 	Vec normal = convex_normal(c, k), from = vec_sub(convex_corner(c, k), q),
 	    to = vec_sub(convex_corner(c, convex_next(c, k)), q);
-	Real square = vec_dot(path, path), first = vec_dot(from, path) / square, last = vec_dot(to, path) / square;
-	Real share = maximum(vec_dot(normal, from) / vec_dot(normal, path), minimum(first, last));
+	Real square = vec_dot(path, path), first = quotient(vec_dot(from, path), square),
+	     last = quotient(vec_dot(to, path), square);
+	Real share = maximum(quotient(vec_dot(normal, from), vec_dot(normal, path)), minimum(first, last));
 	return minimum(share, maximum(first, last));
 }
 
@@ -248,12 +250,12 @@ INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
 		{
 			if (room < lower * speed)
 			{
-				lower = room / speed;
+				lower = quotient(room, speed);
 				edge = k;
 			}
 		}
 		else if (room < upper * speed)
-			upper = room / speed;
+			upper = quotient(room, speed);
 		if (upper < lower)
 			return hit;
 	}

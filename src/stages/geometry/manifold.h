@@ -102,7 +102,7 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	Vec from = shape_corner(a, 0);
 	Vec delta = vec_sub(frame_point(f, shape_corner(b, 0)), from);
 	Real distance = root(vec_dot(delta, delta));
-	m.normal = distance > CENTERS_APART ? vec_scale(1.0f / distance, delta) : vec(0.0f, 1.0f);
+	m.normal = distance > CENTERS_APART ? vec_scale(quotient(1.0f, distance), delta) : vec(0.0f, 1.0f);
 	m.made = MANIFOLD_CORNERS;
 	m.gap = distance - a->radius - b->radius;
 	manifold_add(&m, from, distance, a->radius, b->radius, 0, reach_along(reach, m.normal));
@@ -177,7 +177,7 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	Real height = n.to.y;
 	if (apart && distance > NEAREST_TOLERANCE)
 	{
-		Vec delta = vec_scale(1.0f / distance, vec_sub(n.to, n.from));
+		Vec delta = vec_scale(quotient(1.0f, distance), vec_sub(n.to, n.from));
 		m.normal = vec_add(vec_scale(delta.x, r->right), vec_scale(delta.y, r->up));
 		from = n.from;
 		height = distance;
@@ -204,9 +204,9 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	int cut_high = overlap && high.x > r.length, cut_low = overlap && low.x < 0.0f;
 	Vec along = vec_sub(low, high);
 	if (cut_high)
-		high = vec(r.length, high.y + (high.x - r.length) / -along.x * along.y);
+		high = vec(r.length, high.y + quotient(high.x - r.length, -along.x) * along.y);
 	if (cut_low)
-		low = vec(0.0f, low.y + low.x / along.x * -along.y);
+		low = vec(0.0f, low.y + quotient(low.x, along.x) * -along.y);
 
 	// no clipped point is nearer to the edge than `separation`; if both are farther, a corner faces a corner
 	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)

@@ -27,7 +27,7 @@ INLINE Nearest nearest_to_corner(Edge a, Vec corner, int feature)
 	n.from_feature = a.start_feature;
 	if (along > 0.0f && along < square)
 	{
-		n.from = vec_add(a.start, vec_scale(along / square, direction));
+		n.from = vec_add(a.start, vec_scale(quotient(along, square), direction));
 		n.from_feature = a.feature;
 	}
 	else if (along > 0.0f)

@@ -56,7 +56,7 @@ INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closi
 	Real closes = -vec_dot(vec_turn(now.axes, now.m.normal), closing.near);
 	if (!(closes > SWEEP_REST * closing.grain))
 		return now;
-	Real time = maximum(sweep_end(&p->step), PAST_MOTION * closing.grain / closing.most);
+	Real time = maximum(sweep_end(&p->step), quotient(PAST_MOTION * closing.grain, closing.most));
 	Real said = minimum(now.m.separation[0], now.m.separation[1]) - time * closes;
 	return said > -PAST_ERROR ? now : predict_later(p, a, b, closing, now, time, said);
 }
@@ -138,7 +138,7 @@ INLINE Prediction predict_meeting(const Pools* p, WorldShape a, WorldShape b, Cl
 		Real speed = sweep_speed(closing, vec_turn(then.axes, then.m.normal), time);
 		if (then.m.count == 0 || !(speed * (1.0f - time) > gap + 2.0f * depth))
 			break;
-		time = time + (gap + 2.0f * depth) / speed;
+		time = time + quotient(gap + 2.0f * depth, speed);
 		then.axes = vec_turn(sweep_frame(a, b, closing, time, &then.f), start.axes);
 	}
 	return predict_past(p, a, b, closing, now);

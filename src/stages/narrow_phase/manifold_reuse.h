@@ -89,7 +89,7 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 
 	// an approach that cannot close the gap in the step gets no impulse
 	Real limit = maximum(blend(SWEEP_REST * c->room, SWEEP_SLOP * c->room, touches),
-	                     (minimum(at[2], at[3]) - c->shift) / splat(sweep_end(&p->step)));
+	                     quotient(minimum(at[2], at[3]) - c->shift, splat(sweep_end(&p->step))));
 	Real turns = absolute(closing.a.turn) + absolute(closing.b.turn);
 	Real slide = absolute(vec_cross(vec_turn(c->then_a, vec(at[0], at[1])), closing.near));
 	Int lags = touches & (slide + turns * minimum(closing.a.reach, closing.b.reach) > SWEEP_LAG * c->room);

@@ -22,7 +22,7 @@ typedef struct // query in world coordinates
 #define QUERY_STILL   1.0e-30f
 #define QUERY_INVERSE 1.0e30f
 
-INLINE float query_inverse(float path) { return absolute(path) < QUERY_STILL ? QUERY_INVERSE : 1.0f / path; }
+INLINE float query_inverse(float path) { return absolute(path) < QUERY_STILL ? QUERY_INVERSE : quotient(1.0f, path); }
 
 // Returns the body that a query ignores; 0 if there is none, or if it was destroyed, as another body may have its slot.
 INLINE int query_ignored(const Pools* p, const Query* query)

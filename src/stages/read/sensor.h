@@ -112,7 +112,7 @@ RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closi
 		{
 			met = time;
 			if (!past)
-				return gap_before > 0.0f ? before + (time - before) * (gap_before / (gap_before - gap)) : time;
+				return gap_before > 0.0f ? before + (time - before) * quotient(gap_before, gap_before - gap) : time;
 		}
 		else
 		{
@@ -129,9 +129,9 @@ RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closi
 		float speed = sensor_speed(pace, vec_turn(axes, normal)), left = gap + SENSOR_DEPTH;
 		if (round >= SENSOR_ROUNDS || !(speed * (1.0f - time) > gap))
 			break;
-		float share = round < SENSOR_ROUNDS / 2 ? 0.0f : (1.0f - time) / (float)(SENSOR_ROUNDS - round);
+		float share = round < SENSOR_ROUNDS / 2 ? 0.0f : quotient(1.0f - time, (float)(SENSOR_ROUNDS - round));
 		past = share * speed > left;
-		time = minimum(time + maximum(left / speed, share), 1.0f);
+		time = minimum(time + maximum(quotient(left, speed), share), 1.0f);
 	}
 	return met;
 }

@@ -80,8 +80,8 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	// is from then until its depth is `late`; all others are tested over the whole step
 	if (gap > depth.slop && closes > gap)
 	{
-		from = gap / closes;
-		to = minimum((gap + depth.late) / closes, 1.0f);
+		from = quotient(gap, closes);
+		to = minimum(quotient(gap + depth.late, closes), 1.0f);
 	}
 	visitor.left += minimum(from * slides, to * slides);
 	visitor.right += maximum(from * slides, to * slides);

@@ -221,7 +221,8 @@ KERNEL(press_joint)
 	float far = square_root(vec_dot(gap, gap));
 	if (!(far > PRESS_GAP && far < MOST_FLOAT))
 		return;
-	press_give(p, still_a ? ib : ia, 1, PRESS_HOPS, vec_scale(still_a ? -1.0f / far : 1.0f / far, gap));
+	press_give(p, still_a ? ib : ia, 1, PRESS_HOPS,
+	           vec_scale(still_a ? quotient(-1.0f, far) : quotient(1.0f, far), gap));
 	raise_int(&p->press[still_a ? ib : ia].speed, float_bits(p->step.max_speed));
 }
 

@@ -57,7 +57,7 @@ WIDE_KERNEL(tree_code)
 	GLOBAL Float4* boxes = p->argument & TREE_QUERIES ? p->query_box : p->node_box;
 	Float4 bounds = box_unpack(boxes, tree->begin[tree->top] + ARITY);
 	float width = bounds.z - bounds.x, height = bounds.w - bounds.y, side = width > height ? width : height;
-	float cells = side > 0.0f ? TREE_CELLS / side : 0.0f;
+	float cells = side > 0.0f ? quotient(TREE_CELLS, side) : 0.0f;
 	Int leaf = indices(tree->begin[0] + i), place = shifted(leaf >> 3, 5) + (leaf & 7);
 	Real box[4];
 	for (int which = 0; which < 4; ++which)

@@ -111,12 +111,12 @@ KERNEL(tree_outlier)
 	}
 	if (!jumped)
 		return;
-	float mean = area / (float)leaves, wide = box_area(now);
+	float mean = quotient(area, (float)leaves), wide = box_area(now);
 	if (!(wide > OUTLIER_BOXES * mean))
 		return;
 	// subtracts the old area; factor 2 below: after a jump, the upper nodes cost about as much as this one
 	wide -= box_is_empty(before) ? 0.0f : box_area(before);
-	float traversals = 2.0f * wide / (mean * (float)tree->leaves);
+	float traversals = quotient(2.0f * wide, mean * (float)tree->leaves);
 	if (traversals < 0.0f) // a large negative number would be outside the range of int
 		return;
 	int outliers = traversals < 2.0f ? (int)((float)OUTLIER_UNIT * traversals) : 2 * OUTLIER_UNIT;

@@ -127,9 +127,9 @@ INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 // Inverts a symmetric 3 x 3 block (00, 01, 02, 11, 12, 22) by L D L^T. least1, least2: bounds of pivots 2 and 3.
 INLINE void branch_invert(const float m[6], float least1, float least2, float b[6])
 {
-	float d0 = 1.0f / m[0], l1 = m[1] * d0, l2 = m[2] * d0, pivot1 = m[3] - l1 * m[1];
-	float d1 = 1.0f / (pivot1 > least1 ? pivot1 : least1), rest = m[4] - l1 * m[2], l12 = rest * d1;
-	float pivot2 = (m[5] - l2 * m[2]) - l12 * rest, d2 = 1.0f / (pivot2 > least2 ? pivot2 : least2);
+	float d0 = quotient(1.0f, m[0]), l1 = m[1] * d0, l2 = m[2] * d0, pivot1 = m[3] - l1 * m[1];
+	float d1 = quotient(1.0f, pivot1 > least1 ? pivot1 : least1), rest = m[4] - l1 * m[2], l12 = rest * d1;
+	float pivot2 = (m[5] - l2 * m[2]) - l12 * rest, d2 = quotient(1.0f, pivot2 > least2 ? pivot2 : least2);
 	float back = l1 * l12 - l2;
 	b[0] = d0 + l1 * l1 * d1 + back * back * d2;
 	b[1] = -(l1 * d1) - l12 * back * d2;
@@ -177,7 +177,7 @@ INLINE BranchBody branch_body(const Pools* p, const Branch* branch, BranchNode n
 		return body;
 	}
 	int turns = now.inv_inertia > 0.0f;
-	float mass = 1.0f / now.inv_mass, inertia = turns ? 1.0f / now.inv_inertia : 1.0f;
+	float mass = quotient(1.0f, now.inv_mass), inertia = turns ? quotient(1.0f, now.inv_inertia) : 1.0f;
 	BRANCH_BELOW(c, node)
 	for (int q = 0; q < 9; ++q)
 		sum[q] += BRANCH_AT(p, branch, l[q], c);
@@ -202,9 +202,9 @@ INLINE void branch_stiffen(const Joint* u, JointSystem* s)
 		return;
 	for (int k = 0; k < 2; ++k)
 	{
-		float own = s->yield[k] - s->soft[k], turn = s->cross[1 + k] * (s->cross[1 + k] / s->yield[2]);
+		float own = s->yield[k] - s->soft[k], turn = s->cross[1 + k] * quotient(s->cross[1 + k], s->yield[2]);
 		if (s->locked[k] && !joint_has(u, JOINT_SOFT(k)) && own > turn)
-			share[k] = (own - turn) / own;
+			share[k] = quotient(own - turn, own);
 	}
 	if (share[0] == 1.0f && share[1] == 1.0f)
 		return;

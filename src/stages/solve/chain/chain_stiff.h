@@ -65,8 +65,8 @@ INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* 
 // larger and finite.
 INLINE Real chain_inertia(Real inverse, Real tension)
 {
-	Real zero = splat(0.0f), more = blend(zero, tension - 1.0f / inverse, inverse > zero);
-	return blend(inverse, 1.0f / tension, (more > zero) & (more <= splat(MOST_FLOAT)));
+	Real zero = splat(0.0f), more = blend(zero, tension - quotient(1.0f, inverse), inverse > zero);
+	return blend(inverse, quotient(1.0f, tension), (more > zero) & (more <= splat(MOST_FLOAT)));
 }
 
 // Returns the softness that damps the free angle between two links, 0 for no damping. An implicit integration of the
@@ -78,9 +78,9 @@ INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 {
 	Real zero = splat(0.0f), inverse = CHAIN_AT(p, own_a, spot) + CHAIN_AT(p, own_b, spot);
 	Real t = maximum(minimum(CHAIN_AT(p, tension[0], spot), CHAIN_AT(p, tension[1], spot)), zero), more = t * inverse;
-	Real damping = t * more / (splat(CHAIN_SLOW) + more), least = splat(1.0f / CHAIN_SLACKEST);
+	Real damping = quotient(t * more, splat(CHAIN_SLOW) + more), least = splat(1.0f / CHAIN_SLACKEST);
 	Int damps = bodies->moves_a & bodies->moves_b & (damping * inverse > least) & (damping <= splat(MOST_FLOAT));
-	return blend(zero, splat(1.0f) / damping, damps);
+	return blend(zero, quotient(splat(1.0f), damping), damps);
 }
 
 // Computes the bodies' inertias for the step, the softness of angles, and the bodies shared with the joints before.

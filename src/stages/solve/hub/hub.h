@@ -149,16 +149,16 @@ INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 	float xx = mass + sum[3], xy = sum[4], yy = mass + sum[5], xw = sum[6], yw = sum[7], ww = inertia + sum[8];
 	float x = sum[0] - mass * (h->now[0] - h->free[0]), y = sum[1] - mass * (h->now[1] - h->free[1]),
 	      w = sum[2] - inertia * (h->now[2] - h->free[2]);
-	float yx = xy / xx, wx = xw / xx, second = yy - yx * xy;
+	float yx = quotient(xy, xx), wx = quotient(xw, xx), second = yy - yx * xy;
 	second = second > mass ? second : mass;
-	float wy = (yw - yx * xw) / second, third = ww - wx * xw - wy * wy * second;
+	float wy = quotient(yw - yx * xw, second), third = ww - wx * xw - wy * wy * second;
 	third = third > inertia ? third : inertia;
 	y = y - yx * x;
 	w = w - wx * x - wy * y;
 	// a hub that cannot rotate has no third equation
-	d[2] = inertia > 0.0f ? w / third : 0.0f;
-	d[1] = y / second - wy * d[2];
-	d[0] = x / xx - yx * d[1] - wx * d[2];
+	d[2] = inertia > 0.0f ? quotient(w, third) : 0.0f;
+	d[1] = quotient(y, second) - wy * d[2];
+	d[0] = quotient(x, xx) - yx * d[1] - wx * d[2];
 }
 
 // Returns whether the rounds end: Newton's step d exceeds HUB_SPEED or is NaN, or it is small compared with the
@@ -180,7 +180,7 @@ INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 		// products in this order, because squares of large impulses may not be finite
 		float bend = sum[10] + gain[0] * sum[0] + gain[1] * sum[1] + gain[2] * sum[2];
 		if (down > 0.0f && bend > 0.0f && bend <= MOST_FLOAT)
-			part = down < bend ? down / bend : 1.0f;
+			part = down < bend ? quotient(down, bend) : 1.0f;
 		for (int q = 0; q < 3; ++q)
 			h->now[q] = h->free[q] + part * gain[q];
 	}
@@ -197,7 +197,7 @@ INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 {
 	float square = hub_energy(h, gain), most = START_SHARE * step->max_speed;
-	return square > most * most ? most / square_root(square) : 1.0f;
+	return square > most * most ? quotient(most, square_root(square)) : 1.0f;
 }
 
 // Solves a block: computes the impulses of one kind (`what`) of all spokes, and the velocity that these give the hub.
@@ -274,11 +274,11 @@ INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 	h.count = span.count;
 	h.inv_mass = parts * row[3];
 	h.inv_inertia = parts * row[7];
-	h.mass = 1.0f / h.inv_mass;
-	h.inertia = h.inv_inertia > 0.0f ? 1.0f / h.inv_inertia : 0.0f;
+	h.mass = quotient(1.0f, h.inv_mass);
+	h.inertia = h.inv_inertia > 0.0f ? quotient(1.0f, h.inv_inertia) : 0.0f;
 	h.gyration = h.inv_mass * h.inertia;
 	h.gyration = h.gyration < HUB_GYRATION ? h.gyration : HUB_GYRATION;
-	h.most = 1.0e38f / (float)span.count;
+	h.most = quotient(1.0e38f, (float)span.count);
 	for (int q = 0; q < 3; ++q)
 		h.now[q] = row[q];
 	h.whole.v = vec(splat(row[0]), splat(row[1]));

@@ -149,17 +149,17 @@ KERNEL(hub_merge)
 	{
 		int first = spoke_of(p, hub_span_of(p, n).first);
 		float parts = spoke_at(p, hub_parts, first);
-		x = (spoke_at(p, hub_x, first) - row[0]) / parts;
-		y = (spoke_at(p, hub_y, first) - row[1]) / parts;
-		w = (spoke_at(p, hub_w, first) - row[2]) / parts;
+		x = quotient(spoke_at(p, hub_x, first) - row[0], parts);
+		y = quotient(spoke_at(p, hub_y, first) - row[1], parts);
+		w = quotient(spoke_at(p, hub_w, first) - row[2], parts);
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
 		int m = p->spoke_order[k] / HUB_COLORS;
 		float parts = spoke_at(p, parts, m);
-		x = x + (spoke_at(p, vx, m) - row[0]) / parts;
-		y = y + (spoke_at(p, vy, m) - row[1]) / parts;
-		w = w + (spoke_at(p, w, m) - row[2]) / parts;
+		x = x + quotient(spoke_at(p, vx, m) - row[0], parts);
+		y = y + quotient(spoke_at(p, vy, m) - row[1], parts);
+		w = w + quotient(spoke_at(p, w, m) - row[2], parts);
 	}
 	p->body[body].vx = row[0] + x;
 	p->body[body].vy = row[1] + y;

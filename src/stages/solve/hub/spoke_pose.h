@@ -71,8 +71,8 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 		return;
 	}
 	PairGoal goal = pair_goal(gap, s->whole_mass == splat(0.0f), &p->step, what == HUB_SOFT, 1);
-	*bias = goal.bias / goal.mass_scale;
-	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
+	*bias = quotient(goal.bias, goal.mass_scale);
+	*soft = quotient(spoke_resists(h, s, k) * goal.impulse_scale, goal.mass_scale);
 }
 
 // Returns whether a block may leave out points: restitution leaves out those that do not bounce or had no impulse,
@@ -188,7 +188,7 @@ INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 		r->cross = takes1 * takes2 * r->cross;
 	}
 	for (int k = 0; k < 2; ++k)
-		r->inverse[k] = blend(zero, 1.0f / r->mass[k], r->mass[k] > splat(LEAST_RESISTS));
+		r->inverse[k] = blend(zero, quotient(1.0f, r->mass[k]), r->mass[k] > splat(LEAST_RESISTS));
 }
 
 // Prepares the problem of a spoke for one block. Adds the impulses on the hub that this removes to `taken`.
@@ -212,7 +212,7 @@ INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken
 	store(&spoke_at(p, inverse1, m), 0, r.inverse[0]);
 	store(&spoke_at(p, inverse2, m), 0, r.inverse[1]);
 	if (!spoke_limited(what))
-		store(&spoke_at(p, inverse, m), 0, 1.0f / (1.0f - r.cross * r.inverse[0] * (r.cross * r.inverse[1])));
+		store(&spoke_at(p, inverse, m), 0, quotient(1.0f, 1.0f - r.cross * r.inverse[0] * (r.cross * r.inverse[1])));
 	store(&spoke_at(p, old1, m), 0, r.old[0]);
 	store(&spoke_at(p, old2, m), 0, r.old[1]);
 }
@@ -229,7 +229,7 @@ INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[
 		{
 			Real resists =
 			    h->inv_mass + s.mass + h->inv_inertia * s.hub[k] * s.hub[k] + s.inertia * s.neighbor[k] * s.neighbor[k];
-			old[k] = pair_start(&p->step, old[k], blend(splat(0.0f), 1.0f / resists, resists > splat(0.0f)));
+			old[k] = pair_start(&p->step, old[k], blend(splat(0.0f), quotient(1.0f, resists), resists > splat(0.0f)));
 		}
 	}
 	Real one[3];
