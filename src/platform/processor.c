@@ -133,6 +133,7 @@ FloatMode float_mode_enter(void)
 }
 
 void float_mode_leave(FloatMode found) { _mm_setcsr((unsigned)found); }
+void float_mode_flush(void) { _mm_setcsr(MXCSR_DEFAULT | 0x8040u); } // FTZ, DAZ
 
 #elif defined(__aarch64__)
 
@@ -145,10 +146,12 @@ FloatMode float_mode_enter(void)
 }
 
 void float_mode_leave(FloatMode found) { __asm__ volatile("msr fpcr, %0" : : "r"(found)); }
+void float_mode_flush(void) { float_mode_leave(1u << 24); } // FZ
 
 #else
 
 FloatMode float_mode_enter(void) { return 0; }
 void float_mode_leave(FloatMode found) { (void)found; }
+void float_mode_flush(void) {}
 
 #endif

@@ -22,4 +22,7 @@ typedef uint64_t FloatMode;
 FloatMode float_mode_enter(void);
 void float_mode_leave(FloatMode found);
 
+// Sets the mode in which denormals are flushed to 0, if the processor has it; for tests. float_mode_leave ends it.
+void float_mode_flush(void);
+
 #endif
