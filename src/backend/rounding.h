@@ -2,6 +2,7 @@
 // rounding.h -- declares the ways in which OpenCL programs round, and the variable with which a test chooses one.
 #ifndef ROUNDING_H
 #define ROUNDING_H
+#include "platform/exact_floats.h"
 
 typedef enum
 {
