@@ -2,6 +2,7 @@
 // arithmetic.h -- declares the kinds of arithmetic with equal bits, and the variable with which a test chooses one.
 #ifndef ARITHMETIC_H
 #define ARITHMETIC_H
+#include "platform/exact_floats.h"
 #include <stdbool.h>
 
 typedef enum // rounding of quotients and roots on OpenCL devices
