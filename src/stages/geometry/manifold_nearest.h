@@ -2,7 +2,7 @@
 // manifold_nearest.h -- finds the nearest points of two edges, and their features.
 #ifndef MANIFOLD_NEAREST_H
 #define MANIFOLD_NEAREST_H
-#include "dialect/vec.h"
+#include "dialect/finite.h"
 
 typedef struct // edge of a core; start and end as coordinates along the reference edge and along its normal, m
 {
