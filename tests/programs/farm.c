@@ -90,8 +90,8 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 	if (!farm_print(pair, program, what, memory))
 		fprintf(memory, "%s: differed, and does not when run again\n", what);
 	program_write(program, memory);
-	fprintf(memory, "again: programs --device %s --form %s --replay %s\n\n", o->places[1].device,
-	        form_of(o, form), path);
+	fprintf(memory, "again: programs --device %s --form %s --replay %s\n\n", o->places[1].device, form_of(o, form),
+	        path);
 	fclose(memory);
 	fwrite(text, 1, length, stdout);
 	fflush(stdout);
