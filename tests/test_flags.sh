@@ -67,7 +67,7 @@ row()
 {
 	local compiler=$1 found=$2 result
 	shift 2
-	command -v "$compiler" >/dev/null || return 0
+	command -v "$compiler" >/dev/null || { echo "$compiler $*: left out, because $compiler is not installed"; return 0; }
 	for lanes in $tested_lanes; do
 		result=$(run_operations "$compiler" "$lanes" -DEXACT_FLOATS_H "$@")
 		grep -qE "$found" <<<"$result" || complain "$compiler, $lanes lanes, $*: found \"$result\" instead of \"$found\""
@@ -93,7 +93,7 @@ for compiler in gcc clang; do
 	row $compiler 'reciprocal' -freciprocal-math
 	row $compiler 'NaN' -ffinite-math-only
 	row $compiler 'signs of zeros' -fno-signed-zeros
-	[ "$machine" != x86_64 ] || row $compiler 'one rounding' -march=x86-64-v4 -ffp-contract=fast
+	[ "$machine" != x86_64 ] || row $compiler 'one rounding' -march=x86-64-v3 -ffp-contract=fast
 	[ "$SCREE_QUICK" != 1 ] || continue
 	row $compiler 'no fault' -ffp-contract=off
 	row $compiler 'signs of zeros' -Ofast
