@@ -831,8 +831,8 @@ SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body 
 // old), where v is the velocity of the old center and w the angular velocity.
 //
 // Range: mass 1e-15 to 1e30 kg; inertia 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate; center within
-// SCREE_MAX_COORDINATE. A step uses at least m r^2 / 1000 for the inertia, because with less, floats have too few
-// digits for the impulses of joints and contacts. m is the mass; r is the largest distance from the center of mass to
+// SCREE_MAX_COORDINATE. A step uses at least m r^2 / 1000 (but not over 1.27e30 kg m^2) for the inertia, because with
+// less, floats have too few digits for the impulses of joints and contacts. m is the mass; r is the largest distance from the center of mass to
 // the anchor of a joint or to the end of a solid shape. Fails with SCREE_ERROR_INVALID for a body that is not dynamic.
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
 // Overrides the masses of a batch of bodies, as above. On failure no mass changes.

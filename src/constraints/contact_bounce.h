@@ -8,7 +8,7 @@
 INLINE Body prepare_body(const Pools* p, Int index)
 {
 	Body b = body_gather(p, index);
-	b.v = vec_limit(b.v, p->step.max_speed);
+	b.v = vec_flush_tiny(vec_limit(b.v, p->step.max_speed));
 	b.w = within(b.w, splat(p->step.max_spin));
 	return b;
 }

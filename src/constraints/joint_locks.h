@@ -172,7 +172,8 @@ INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
 	f.d1 = blend(splat(1.0f), maximum(s->yield[1] - f.l01 * s->cross[0], mass), s->locked[1]);
 	Real rest = s->cross[2] - f.l01 * s->cross[1];
 	f.l12 = flush_below(quotient(rest, f.d1), ABSORBS);
-	f.d2 = maximum((s->yield[2] - f.l02 * s->cross[1]) - f.l12 * rest, splat(JOINT_LEAST_YIELD) * s->yield[2]);
+	Real least = maximum(splat(JOINT_LEAST_YIELD) * s->yield[2], splat(LEAST_ELEMENT));
+	f.d2 = maximum((s->yield[2] - f.l02 * s->cross[1]) - f.l12 * rest, least);
 	return f;
 }
 

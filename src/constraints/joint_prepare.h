@@ -105,7 +105,7 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 	for (int k = 0; k < 2; ++k)
 	{
 		Int counts = joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k) | JOINT_COUPLED) == 0);
-		off[k] = only(off[k], counts);
+		off[k] = only(off[k], counts & (absolute(off[k]) >= splat(TINY)));
 	}
 	Real square = off[0] * off[0] + off[1] * off[1];
 	Real most = splat(bits_float(read_shared(&p->counters->joint_gap)));

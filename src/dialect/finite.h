@@ -27,6 +27,10 @@
 // bodies with a moment of inertia above this number, kg m^2.
 #define HEAVY_MASS 1.09951163e12f // 2^40
 
+// kg m^2: largest inertia in a step; larger ones, which long arms or the pull of joints require, are reduced to it. The
+// product of its inverse and a lever arm is not denormal.
+#define MOST_INERTIA 1.26765060e30f // 2^100
+
 // Returns x, or 0 if x is below `least`; NaN stays NaN. The result is never a negative zero.
 INLINE Real flush_below(Real x, float least) { return only(x, (absolute(x) < splat(least)) == 0); }
 INLINE Real flush_element(Real x) { return flush_below(x, LEAST_ELEMENT); }

@@ -183,6 +183,10 @@ INLINE void field_add(FieldForce* sum, FieldForce f)
 	sum->rate_w = sum->rate_w + f.rate_w;
 }
 
+// Returns the share of drag that stops a body within a step. slow: part of its speed that all of the drag would take. A
+// share is never a denormal, because drag may be infinite.
+INLINE float field_share(float slow) { return slow > 1.0f ? quotient(1.0f, minimum(slow, FIELD_MOST)) : 1.0f; }
+
 // Limits strong drag, which would otherwise reverse the velocity relative to the medium within the step. First the
 // linear and the angular part are limited separately. Then both are scaled by a common factor, so that drag never adds
 // energy. Drag below these limits is unchanged, so the speed at which it balances a force is exact.
@@ -191,7 +195,7 @@ INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
 	BodyState state = p->body[body];
 	Motion motion = p->motion[body];
 	float dt = p->step.dt, slow = dt * (sum->rate * state.inv_mass), slow_w = dt * (sum->rate_w * state.inv_inertia);
-	float linear = slow > 1.0f ? quotient(1.0f, slow) : 1.0f, angular = slow_w > 1.0f ? quotient(1.0f, slow_w) : 1.0f;
+	float linear = field_share(slow), angular = field_share(slow_w);
 	float fx = flush_below(linear * sum->drag_x, ABSORBS), fy = flush_below(linear * sum->drag_y, ABSORBS),
 	      torque = flush_below(angular * sum->drag_torque, ABSORBS), share = 1.0f;
 	float ax = motion.free_x * state.inv_mass * fx, ay = motion.free_y * state.inv_mass * fy,

@@ -40,7 +40,7 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 		float spin = maximum(press.spun, quotient(most, maximum(p->continuous_body[i].reach, LINEAR_SLOP)));
 		*v = vec_limit(*v, most);
 		*w = within(*w, spin);
-		*d = vec_limit(*d, p->step.dt * maximum(most, p->step.push_speed));
+		*d = vec_flush_tiny(vec_limit(*d, p->step.dt * maximum(most, p->step.push_speed)));
 		raise_int(&p->counters->ways, 1);
 		p->press[i].left = left;
 	}

@@ -31,7 +31,7 @@ KERNEL(body_taut)
 	body->da = 0.0f;
 	p->own_inertia[i] = own;
 	if (own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
-		body->inv_inertia = quotient(1.0f, pull);
+		body->inv_inertia = quotient(1.0f, minimum(pull, MOST_INERTIA));
 	if (i == 0)
 		p->counters->taut = 0; // the warm starts of this step set it again
 }

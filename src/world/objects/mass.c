@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // mass.c -- computes the mass of a body from its collidables.
 #include "world/objects/mass.h"
+#include "dialect/finite.h"
 #include "world/edits.h"
 #include "world/objects/attributes.h"
 #include "world/objects/joint_ends.h"
@@ -92,7 +93,7 @@ float mass_inverse_inertia(const HostBody* host)
 {
 	bool turns = host->mass.inertia > 0.0f && !(host->locks & SCREE_LOCK_ROTATION);
 	float least = (float)(LEAST_GYRATION * host->mass.mass * host->arm * host->arm);
-	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
+	return turns ? 1.0f / fmaxf(host->mass.inertia, fminf(least, MOST_INERTIA)) : 0.0f;
 }
 
 // m: Returns the largest distance from the center of mass to an anchor of a joint. If the user set the mass, also

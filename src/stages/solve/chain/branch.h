@@ -133,10 +133,10 @@ INLINE void branch_invert(const float m[6], float least1, float least2, float b[
 	float pivot2 = (m[5] - l2 * m[2]) - l12 * rest, d2 = quotient(1.0f, pivot2 > least2 ? pivot2 : least2);
 	float back = chain_flush(l1 * l12 - l2, ABSORBS);
 	b[0] = d0 + l1 * l1 * d1 + back * back * d2;
-	b[1] = -(l1 * d1) - l12 * back * d2;
-	b[2] = back * d2;
+	b[1] = chain_flush(-(l1 * d1) - l12 * back * d2, ABSORBS);
+	b[2] = chain_flush(back * d2, ABSORBS);
 	b[3] = d1 + l12 * l12 * d2;
-	b[4] = -(l12 * d2);
+	b[4] = chain_flush(-(l12 * d2), ABSORBS);
 	b[5] = d2;
 }
 

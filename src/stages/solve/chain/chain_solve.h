@@ -15,6 +15,9 @@
 
 #define CHAIN_PIVOT 1.0e-6f // lower limit of a pivot as a fraction of its diagonal element: less is a rounding error
 
+// m/s, rad/s: larger goals count as 0. The product of one and a denormal is negligible beside a goal that is not tiny.
+#define CHAIN_MOST 1.09951163e12f // 2^40
+
 typedef struct
 {
 	ChainRange at;

@@ -62,11 +62,12 @@ INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* 
 }
 
 // Returns 1 / inertia for the step. The inertia is that of the body, or the tension of its joints if the tension is
-// larger and finite.
+// larger and finite; at most MOST_INERTIA.
 INLINE Real chain_inertia(Real inverse, Real tension)
 {
 	Real zero = splat(0.0f), more = only(tension - quotient(1.0f, inverse), inverse > zero);
-	return blend(inverse, quotient(1.0f, tension), (more > zero) & (more <= splat(MOST_FLOAT)));
+	Int taut = (more > zero) & (more <= splat(MOST_FLOAT));
+	return blend(inverse, quotient(1.0f, minimum(tension, splat(MOST_INERTIA))), taut);
 }
 
 // Returns the softness that damps the free angle between two links, 0 for no damping. An implicit integration of the
