@@ -3,6 +3,10 @@
 # Equal bits need two roundings in a * b + c everywhere, so contraction is off. No stage reads errno or floating-point
 # exceptions, so the compiler may treat sqrt and divisions as pure. No other part of fast-math is safe.
 set(SCREE_FLOAT_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "s390x")
+	# with -std=c17, gcc for s390x evaluates float expressions in double, although the processor has float instructions
+	list(APPEND SCREE_FLOAT_FLAGS -fexcess-precision=fast)
+endif()
 
 set(SCREE_LINK_FLAGS "")
 if(SCREE_SANITIZE)
@@ -48,6 +52,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
 	set_source_files_properties(src/cpu/lanes8.c src/cpu/scalar_avx2.c PROPERTIES COMPILE_OPTIONS "-mavx2")
 	set_source_files_properties(src/cpu/lanes16.c PROPERTIES
 		COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw")
+	if(WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU")
+		# gcc for Windows aligns the stack to 16 bytes only (its bug 54412), so moves of wider vectors must allow any address
+		set_property(SOURCE src/cpu/lanes8.c src/cpu/scalar_avx2.c src/cpu/lanes16.c APPEND PROPERTY
+			COMPILE_OPTIONS -Wa,-muse-unaligned-vector-move)
+	endif()
 endif()
 
 # Each of these files holds all stages. Without this option gcc stops inlining when a file has grown by 40 %, so each

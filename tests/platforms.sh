@@ -1,67 +1,155 @@
 #!/usr/bin/env bash
-# platforms.sh -- builds Scree for other processors and systems, runs the builds by emulators, and compares the hashes of all scenes
-# and of random programs with those of this machine.
+# platforms.sh -- builds Scree for other processors and systems, runs the builds, and compares hashes with those of this machine.
 #
 # usage: tests/platforms.sh [ROW...]
 #   ROW  a row of the table below; default: all
-# Variables and their defaults: PART (4), by which the steps of the scenes are divided, as in tests/golden.txt: 1 or 4; PROGRAMS (40)
-# and CALLS (60) of the random programs; BUILD (build/platforms), the folder of the builds. It prints one line per row: hashes that
-# equal tests/golden.txt for each number of lanes, the random programs, and the time. Exit 1 if a hash differs.
+# A row compares the hashes of all scenes with tests/golden.txt for each number of lanes, and the hash of random programs
+# with that of this machine. The row "windows" also tests the DLL, the command line and the unit tests, in wine.
+# Each row is printed as a line. Exit 1 if a row differs or cannot be built.
+#
+# Variables:
+#   PART=4               divisor of the steps of the scenes: 1 or 4, for which tests/golden.txt has hashes
+#   LANES="1 4 8 16"     numbers of lanes
+#   PROGRAMS=40          number of random programs; 0 for none
+#   CALLS=60             number of calls of a random program
+#   OPTIMIZE=-O3         level of optimization of the builds
+#   BUILD=build/platforms  folder of the builds and their logs
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/usage.sh
-part=${PART:-4} programs=${PROGRAMS:-40} calls=${CALLS:-60} build=${BUILD:-build/platforms}
+part=${PART:-4} lanes=${LANES:-1 4 8 16} programs=${PROGRAMS:-40} calls=${CALLS:-60} optimize=${OPTIMIZE:--O3}
+build=$(realpath -m "${BUILD:-build/platforms}")
 
-# row: GNU name of the target: emulator: C flags: Debian packages
-rows='aarch64: aarch64-linux-gnu: qemu-aarch64 -L /usr/aarch64-linux-gnu: : gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user
-aarch64-lto: aarch64-linux-gnu: qemu-aarch64 -L /usr/aarch64-linux-gnu: -flto: gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user
-armhf: arm-linux-gnueabihf: qemu-arm -L /usr/arm-linux-gnueabihf: -mfpu=neon-vfpv4: gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user
-riscv64: riscv64-linux-gnu: qemu-riscv64 -L /usr/riscv64-linux-gnu: : gcc-riscv64-linux-gnu libc6-dev-riscv64-cross qemu-user
-ppc64le: powerpc64le-linux-gnu: qemu-ppc64le -L /usr/powerpc64le-linux-gnu: : gcc-powerpc64le-linux-gnu libc6-dev-ppc64el-cross qemu-user
-s390x: s390x-linux-gnu: qemu-s390x -L /usr/s390x-linux-gnu: : gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user
-i686: i686-linux-gnu: qemu-i386 -L /usr/i686-linux-gnu: -msse2 -mfpmath=sse: gcc-i686-linux-gnu libc6-dev-i386-cross qemu-user
-musl: x86_64-linux-musl: : -static: musl-tools
-windows: x86_64-w64-mingw32: wine: -static: gcc-mingw-w64-x86-64 wine'
+# row, GNU name of the system, architecture in the names of Debian's packages, emulator, C flags
+rows='
+aarch64      aarch64-linux-gnu      arm64    qemu-aarch64
+aarch64-lto  aarch64-linux-gnu      arm64    qemu-aarch64  -flto
+armhf        arm-linux-gnueabihf    armhf    qemu-arm      -mfpu=neon-vfpv4
+riscv64      riscv64-linux-gnu      riscv64  qemu-riscv64
+ppc64le      powerpc64le-linux-gnu  ppc64el  qemu-ppc64le
+s390x        s390x-linux-gnu        s390x    qemu-s390x    -march=z14
+i686         i686-linux-gnu         i386     -             -static -msse2 -mfpmath=sse
+musl         x86_64-linux-musl      -        -             -static
+windows      x86_64-w64-mingw32     -        wine          -static
+'
+
+# Sets the variables of a row: target, emulator, flags, packages.
+choose()
+{
+	local line debian
+	line=$(grep "^$1 " <<<"$rows") || { echo "platforms.sh: no row is called $1" >&2; exit 2; }
+	read -r _ target debian emulator flags <<<"$line"
+	emulator=${emulator#-}
+	case $target in
+	*musl) packages="gcc musl-tools" ;;
+	*mingw32) packages="gcc-mingw-w64-x86-64 wine wine64" ;;
+	*) packages="gcc-$target libc6-dev-$debian-cross" ;;
+	esac
+	case $emulator in
+	qemu*) emulator="$emulator -L /usr/$target" packages="$packages qemu-user" ;;
+	esac
+}
+
+# configure FOLDER OPTION... : calls CMake for a build without OpenCL
+configure()
+{
+	local folder=$1
+	shift
+	cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE="$optimize -DNDEBUG" -DSCREE_OPENCL=OFF \
+		-DSCREE_BUILD_PEERS=OFF -DSCREE_INSTALL=OFF -DSCREE_LANES="${lanes// /;}" "$@"
+}
+
+# Builds what a row needs. -flto reaches the library only without the tool that makes names local (cmake/names.cmake).
+build_row()
+{
+	local options=(-DSCREE_BUILD_SHARED=OFF) targets=(golden programs)
+	[[ $flags != *-flto* ]] || options+=(-DCMAKE_OBJCOPY=)
+	[ "$row" != windows ] || { options=(-DSCREE_BUILD_SHARED=ON) targets=(golden all); }
+	configure "$folder" -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/cross.cmake" -DSCREE_WERROR=ON -DSCREE_TARGET="$target" \
+		-DSCREE_EMULATOR="${emulator// /;}" -DCMAKE_C_FLAGS="$flags" "${options[@]}" && ninja -j "$(nproc)" -C "$folder" "${targets[@]}"
+}
+
+# scenes LANES: prints the number of scenes whose hashes are equal; 4 lanes have two threads
+scenes()
+{
+	timeout 1500 $emulator "$folder/golden$end" "$1" $((1 + ($1 == 4))) "$part" 2>"$folder.$1.err" | tr -d '\r' >"$folder.$1.hashes" ||
+		true
+	grep -cxFf <(grep -v '^#' tests/golden.txt) "$folder.$1.hashes" || true
+}
+
+# result TEXT GOOD: adds a text to the line of the row, and counts a failure unless GOOD is 0
+result()
+{
+	line="$line, $1"
+	[ "$2" = 0 ] || failed=1
+}
+
+# Runs the random programs of a build and prints the hash of the summary.
+program_hash()
+{
+	$emulator "$1/tests/programs$end" --programs "$programs" --calls "$calls" --threads 2 --out "$1" 2>"$1.programs.err" |
+		tee "$1.programs.log" | sed -n 's/.*, 0 failures, hash \([0-9a-f]*\),.*/\1/p'
+}
+
+# Compares a program that is linked with the DLL, the command line and the unit tests with those of this machine.
+windows()
+{
+	local text
+	$target-gcc -std=c17 -O2 -Iinclude examples/hello.c "$folder/libscree.dll.a" -o "$folder/hello.exe" >>"$folder.log" 2>&1 || true
+	wine "$folder/hello.exe" 2>"$folder.dll.err" | tr -d '\r' | cmp -s - <("$here/hello") && text="equal" || text="differs"
+	result "hello.c with the DLL $text" "$([ "$text" = equal ]; echo $?)"
+	for command in "hash pond --steps 30" "run pile --steps 30 --set count=200" "scenes --names"; do
+		# times and the name of the program differ between two runs
+		wine "$folder/scree.exe" $command 2>"$folder.scree.err" | tr -d '\r' | grep -v '[0-9] \(ms\|s\|us\)\b' >"$folder.found" || true
+		"$here/scree" $command | grep -v '[0-9] \(ms\|s\|us\)\b' >"$folder.expected"
+		cmp -s "$folder.found" "$folder.expected" && text="equal" || text="differs"
+		result "scree $command $text" "$([ "$text" = equal ]; echo $?)"
+	done
+	ctest --test-dir "$folder" -L unit -j "$(nproc)" >"$folder.units" 2>&1 && text=0 || text=1
+	result "unit tests: $(sed -n 's/^\([0-9]*% tests passed, .*\)/\1/p' "$folder.units")" "$text"
+}
 
 chosen=("$@")
-[ $# -gt 0 ] || mapfile -t chosen < <(cut -d: -f1 <<<"$rows")
-tools/source.sh jansson build/sources/jansson
+[ $# -gt 0 ] || mapfile -t chosen < <(awk 'NF { print $1 }' <<<"$rows")
 tools/packages.sh gcc libc6-dev cmake ninja-build
+tools/source.sh jansson build/sources/jansson
+[[ " ${chosen[*]} " != *" windows "* ]] || tools/source.sh cmocka build/sources/cmocka
 mkdir -p "$build"
-export SCREE_SCENES=$PWD/scenes WINEDEBUG=-all
+export SCREE_SCENES=$PWD/scenes WINEDEBUG=-all WINEPREFIX=$build/wine
+here=$build/here failed=0 all=$(($(grep -vc '^#' tests/golden.txt) / 2))
+emulator= end=
+if [ "$programs" != 0 ] || [[ " ${chosen[*]} " == *" windows "* ]]; then
+	{ configure "$here" -DSCREE_BUILD_SHARED=OFF && ninja -j "$(nproc)" -C "$here" programs scree_cli scree_static &&
+		gcc -std=c17 -O2 -Iinclude examples/hello.c "$here/libscree.a" -lm -lpthread -ldl -o "$here/hello"; } >"$here.log" 2>&1 ||
+		{ tail -n 20 "$here.log"; exit 1; }
+	[ "$programs" = 0 ] || expected=$(program_hash "$here")
+fi
 
-# The random programs of this machine; hash_of prints the hash of a summary.
-hash_of() { sed -n 's/.*, hash \([0-9a-f]*\),.*/\1/p'; }
-cmake -S . -B "$build/here" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSCREE_OPENCL=OFF -DSCREE_BUILD_SHARED=OFF >"$build/here.log" 2>&1
-ninja -C "$build/here" programs >>"$build/here.log" 2>&1 || { tail -n 20 "$build/here.log"; exit 1; }
-expected=$("$build/here/tests/programs" --programs "$programs" --calls "$calls" | hash_of)
-
-failed=0
 for row in "${chosen[@]}"; do
-	IFS=: read -r name target emulator flags packages < <(grep "^$row:" <<<"$rows" | sed 's/: */:/g') ||
-		{ echo "platforms.sh: no row is called $row" >&2; exit 2; }
-	start=$SECONDS folder=$build/$name
-	# word splitting of $packages and $emulator is intended
+	choose "$row"
+	start=$SECONDS folder=$build/$row end= line= counts=
+	[ "$row" != windows ] || end=.exe
 	tools/packages.sh $packages
-	cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/cross.cmake" -DSCREE_WERROR=ON \
-		-DSCREE_TARGET="$target" -DSCREE_EMULATOR="${emulator// /;}" -DCMAKE_C_FLAGS="$flags" -DSCREE_OPENCL=OFF -DSCREE_INSTALL=OFF \
-		-DSCREE_BUILD_SHARED="$([ "$name" = windows ] && echo ON || echo OFF)" >"$folder.log" 2>&1 &&
-		ninja -C "$folder" golden all >>"$folder.log" 2>&1 ||
-		{ echo "$name: cannot be built:"; grep -E 'error|undefined' "$folder.log" | head -n 5; failed=1; continue; }
-	end= result=
-	[ "$name" != windows ] || end=.exe
-	for lanes in 1 4 8 16; do
-		timeout 900 $emulator "$folder/golden$end" "$lanes" 2 "$part" 2>"$folder.err" | tr -d '\r' >"$folder.hashes" || true
-		equal=$(grep -cxFf tests/golden.txt "$folder.hashes") || true
-		all=$(($(grep -vc '^#' tests/golden.txt) / 2))
-		[ "$equal" = "$all" ] || { failed=1; cat "$folder.err"; }
-		result="$result $equal/$all"
+	build_row >"$folder.log" 2>&1 ||
+		{ echo "$row: cannot be built:"; grep -E 'error|undefined' "$folder.log" | head -n 5; failed=1; continue; }
+	built=$SECONDS
+	# two numbers of lanes at a time
+	export -f scenes
+	export folder end emulator part
+	for count in $lanes; do
+		echo "$count"
+	done | xargs -P "$(nproc)" -I '{}' bash -c 'scenes {} >"$folder.{}.equal"'
+	for count in $lanes; do
+		counts="$counts $count: $(cat "$folder.$count.equal")/$all"
+		[ "$(cat "$folder.$count.equal")" = "$all" ] || { failed=1; cat "$folder.$count.err"; }
 	done
-	if [ -e "$folder/tests/programs" ]; then
-		found=$(timeout 900 $emulator "$folder/tests/programs" --programs "$programs" --calls "$calls" 2>"$folder.err" | hash_of) || true
-		[ "$found" = "$expected" ] || { failed=1; cat "$folder.err"; }
-		result="$result, $programs programs $([ "$found" = "$expected" ] && echo equal || echo differ)"
+	result "scenes by lanes$counts" 0
+	if [ "$programs" != 0 ]; then
+		found=$(program_hash "$folder") || true
+		[ "$found" = "$expected" ] && text=equal || text=differ
+		result "$programs programs $text" "$([ "$text" = equal ]; echo $?)"
 	fi
-	echo "$name: scenes with 1, 4, 8, 16 lanes$result, $((SECONDS - start)) s"
+	[ "$row" != windows ] || windows
+	echo "$row: ${line#, }; built in $((built - start)) s, run in $((SECONDS - built)) s"
 done
 exit $failed

@@ -81,8 +81,9 @@ scree_status clear_fields(const CallRun* run);
 scree_status run_ask(const CallRun* run);
 scree_status run_blast(const CallRun* run);
 
-// run_step.c: takes a step, and mixes its events into a word.
+// run_step.c: takes a step, and mixes its events into a word. mix_contact mixes the members of a contact.
 scree_status run_step(const CallRun* run);
+uint64_t mix_contact(uint64_t word, const scree_contact* contact);
 
 // Returns the next number of a random sequence (Donald Knuth, H. W. Lewis). Worlds of saved programs depend on it, so
 // tools/common/random_numbers.h cannot replace it.
