@@ -37,6 +37,14 @@ function(scree_flags target)
 		# C++ compilers always define it.
 		target_compile_definitions(${target} PRIVATE $<$<COMPILE_LANGUAGE:C>:_GNU_SOURCE=>)
 	endif()
+	if(MINGW)
+		# selects printf functions of C17, because those of msvcrt.dll lack %zu
+		target_compile_definitions(${target} PRIVATE __USE_MINGW_ANSI_STDIO=1)
+		if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
+			# gcc checks the attribute format(printf) by the rules of msvcrt.dll; all other builds check it by those of C17
+			target_compile_options(${target} PRIVATE -Wno-format -Wno-format-extra-args)
+		endif()
+	endif()
 	if(SCREE_WERROR)
 		target_compile_options(${target} PRIVATE -Werror)
 	endif()

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# platforms.sh -- builds Scree for other processors and systems, runs the builds, and compares hashes with those of this machine.
+# platforms.sh -- builds Scree for other processors and systems, runs it, and compares hashes with those of this machine.
 #
 # usage: tests/platforms.sh [ROW...]
 #   ROW  a row of the table below; default: all
 # A row compares the hashes of all scenes with tests/golden.txt for each number of lanes, and the hash of random programs
 # with that of this machine. The row "windows" also tests the DLL, the command line and the unit tests, in wine.
-# Each row is printed as a line. Exit 1 if a row differs or cannot be built.
+# Each row is printed as a line. Exit 1 if a row differs or cannot be built. On x86-64 the rows "i686" and "musl" run without
+# an emulator.
 #
 # Variables:
 #   PART=4               divisor of the steps of the scenes: 1 or 4, for which tests/golden.txt has hashes
@@ -28,8 +29,8 @@ armhf        arm-linux-gnueabihf    armhf    qemu-arm      -mfpu=neon-vfpv4
 riscv64      riscv64-linux-gnu      riscv64  qemu-riscv64
 ppc64le      powerpc64le-linux-gnu  ppc64el  qemu-ppc64le
 s390x        s390x-linux-gnu        s390x    qemu-s390x    -march=z14
-i686         i686-linux-gnu         i386     -             -static -msse2 -mfpmath=sse
-musl         x86_64-linux-musl      -        -             -static
+i686         i686-linux-gnu         i386     qemu-i386     -static -msse2 -mfpmath=sse
+musl         here-linux-musl        -        -             -static
 windows      x86_64-w64-mingw32     -        wine          -static
 '
 
@@ -39,7 +40,9 @@ choose()
 	local line debian
 	line=$(grep "^$1 " <<<"$rows") || { echo "platforms.sh: no row is called $1" >&2; exit 2; }
 	read -r _ target debian emulator flags <<<"$line"
-	emulator=${emulator#-}
+	emulator=${emulator#-} target=${target/#here/$(uname -m)}
+	# a kernel for x86-64 also runs programs for 32-bit x86
+	[ "$1 $(uname -m)" != "i686 x86_64" ] || emulator=
 	case $target in
 	*musl) packages="gcc musl-tools" ;;
 	*mingw32) packages="gcc-mingw-w64-x86-64 wine wine64" ;;
@@ -55,8 +58,9 @@ configure()
 {
 	local folder=$1
 	shift
-	cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE="$optimize -DNDEBUG" -DSCREE_OPENCL=OFF \
-		-DSCREE_BUILD_PEERS=OFF -DSCREE_INSTALL=OFF -DSCREE_LANES="${lanes// /;}" "$@"
+	# without the kernels of one lane, some functions would be unused
+	cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE="$optimize -DNDEBUG" \
+		-DSCREE_OPENCL=OFF -DSCREE_BUILD_PEERS=OFF -DSCREE_INSTALL=OFF -DSCREE_LANES="1;${lanes// /;}" "$@"
 }
 
 # Builds what a row needs. -flto reaches the library only without the tool that makes names local (cmake/names.cmake).
@@ -72,16 +76,21 @@ build_row()
 # scenes LANES: prints the number of scenes whose hashes are equal; 4 lanes have two threads
 scenes()
 {
-	timeout 1500 $emulator "$folder/golden$end" "$1" $((1 + ($1 == 4))) "$part" 2>"$folder.$1.err" | tr -d '\r' >"$folder.$1.hashes" ||
-		true
+	local threads=$((1 + ($1 == 4)))
+	timeout 1500 $emulator "$folder/golden$end" "$1" $threads "$part" 2>"$folder.$1.err" |
+		tr -d '\r' >"$folder.$1.hashes" || true
 	grep -cxFf <(grep -v '^#' tests/golden.txt) "$folder.$1.hashes" || true
 }
 
-# result TEXT GOOD: adds a text to the line of the row, and counts a failure unless GOOD is 0
-result()
+# compare WHAT FOUND EXPECTED: adds to the line of the row whether two texts are equal and not empty
+compare()
 {
-	line="$line, $1"
-	[ "$2" = 0 ] || failed=1
+	if [ -n "$2" ] && [ "$2" = "$3" ]; then
+		line="$line, $1 equal"
+	else
+		line="$line, $1 differ"
+		failed=1
+	fi
 }
 
 # Runs the random programs of a build and prints the hash of the summary.
@@ -91,22 +100,22 @@ program_hash()
 		tee "$1.programs.log" | sed -n 's/.*, 0 failures, hash \([0-9a-f]*\),.*/\1/p'
 }
 
-# Compares a program that is linked with the DLL, the command line and the unit tests with those of this machine.
+# Prints the output of the command line, without the device and times.
+scree_output() { "$@" 2>"$build/scree.err" | tr -d '\r' | grep -Ev '^(device|steps|ms/step| )'; }
+
+# Compares a program that is linked with the DLL and the command line with those of this machine, and runs the unit tests.
 windows()
 {
-	local text
-	$target-gcc -std=c17 -O2 -Iinclude examples/hello.c "$folder/libscree.dll.a" -o "$folder/hello.exe" >>"$folder.log" 2>&1 || true
-	wine "$folder/hello.exe" 2>"$folder.dll.err" | tr -d '\r' | cmp -s - <("$here/hello") && text="equal" || text="differs"
-	result "hello.c with the DLL $text" "$([ "$text" = equal ]; echo $?)"
-	for command in "hash pond --steps 30" "run pile --steps 30 --set count=200" "scenes --names"; do
-		# times and the name of the program differ between two runs
-		wine "$folder/scree.exe" $command 2>"$folder.scree.err" | tr -d '\r' | grep -v '[0-9] \(ms\|s\|us\)\b' >"$folder.found" || true
-		"$here/scree" $command | grep -v '[0-9] \(ms\|s\|us\)\b' >"$folder.expected"
-		cmp -s "$folder.found" "$folder.expected" && text="equal" || text="differs"
-		result "scree $command $text" "$([ "$text" = equal ]; echo $?)"
+	local command
+	"$target-gcc" -std=c17 -O2 -Iinclude examples/hello.c "$folder/libscree.dll.a" -o "$folder/hello.exe" \
+		>>"$folder.log" 2>&1 || true
+	compare "hello.c with the DLL" "$(wine "$folder/hello.exe" 2>"$folder.dll.err" | tr -d '\r')" "$("$here/hello")"
+	for command in "hash pond --steps 30" "run pile --steps 30" "scenes --names"; do
+		# word splitting of $command is intended
+		compare "scree $command" "$(scree_output wine "$folder/scree.exe" $command)" "$(scree_output "$here/scree" $command)"
 	done
-	ctest --test-dir "$folder" -L unit -j "$(nproc)" >"$folder.units" 2>&1 && text=0 || text=1
-	result "unit tests: $(sed -n 's/^\([0-9]*% tests passed, .*\)/\1/p' "$folder.units")" "$text"
+	ctest --test-dir "$folder" -L unit -j "$(nproc)" >"$folder.units" 2>&1 || failed=1
+	line="$line, unit tests: $(sed -n 's/^\([0-9]*% tests passed, .*\)/\1/p' "$folder.units")"
 }
 
 chosen=("$@")
@@ -143,13 +152,8 @@ for row in "${chosen[@]}"; do
 		counts="$counts $count: $(cat "$folder.$count.equal")/$all"
 		[ "$(cat "$folder.$count.equal")" = "$all" ] || { failed=1; cat "$folder.$count.err"; }
 	done
-	result "scenes by lanes$counts" 0
-	if [ "$programs" != 0 ]; then
-		found=$(program_hash "$folder") || true
-		[ "$found" = "$expected" ] && text=equal || text=differ
-		result "$programs programs $text" "$([ "$text" = equal ]; echo $?)"
-	fi
+	[ "$programs" = 0 ] || compare "$programs programs" "$(program_hash "$folder")" "$expected"
 	[ "$row" != windows ] || windows
-	echo "$row: ${line#, }; built in $((built - start)) s, run in $((SECONDS - built)) s"
+	echo "$row: scenes by lanes$counts$line; built in $((built - start)) s, run in $((SECONDS - built)) s"
 done
 exit $failed
