@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // pair.c -- runs a program on two worlds side by side, which must have equal statuses, results and hashes.
-#include "platform/system.h"
 #include "programs/run_call.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "platform/system.h" // on Windows it defines the names near and far, so it is the last one
 
 // Returns a pseudo-random word for a call (Donald Knuth, multiplicative hashing). It depends only on this call and on
 // `first`. Other calls have no influence, because they may be dropped when the program is shortened.
