@@ -9,8 +9,9 @@ build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libc
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
 web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs terser
 test_packages := $(view_packages) xvfb twm xdotool git clang-format-14 libcmocka-dev gnuplot-nox ffmpeg jq
-# for test_32_bits
-test_packages += gcc-i686-linux-gnu libc6-dev-i386-cross
+ifneq ($(shell uname -m),aarch64)
+test_packages += gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user # for test_aarch64
+endif
 full_packages := $(web_packages) clang libclang-rt-14-dev chromium chromium-driver
 
 help: ## print this list
