@@ -18,6 +18,12 @@ static uint64_t mix_results(uint64_t word, const scree_query_result* results, in
 	return word;
 }
 
+static uint64_t mix_moved(uint64_t word, const scree_moved_body* m)
+{
+	word = hash_words(hash_words(word, &m->body, sizeof m->body), &m->pose, sizeof m->pose);
+	return mix_user(hash_words(word, &m->velocity, sizeof m->velocity), m->user, 0);
+}
+
 static scree_status mix_list(scree_status status, const scree_query_results* list, uint64_t* word)
 {
 	if (status == SCREE_OK)
@@ -76,7 +82,7 @@ scree_status run_ask(const CallRun* r)
 	if (status == SCREE_OK)
 		status = scree_world_get_moved_bodies(r->world, &moved);
 	for (int k = 0; k < moved.count && status == SCREE_OK; ++k)
-		word = hash_words(word, moved.bodies + k, sizeof moved.bodies[k]);
+		word = mix_moved(word, moved.bodies + k);
 	r->left->word = word;
 	return status;
 }

@@ -8,7 +8,7 @@ static uint64_t name_of(const scree_contact* c)
 	return hash_words(hash_words(HASH_BEGIN, &c->a, sizeof c->a), &c->b, sizeof c->b);
 }
 
-static uint64_t mix_user(uint64_t word, uint64_t a, uint64_t b)
+uint64_t mix_user(uint64_t word, uint64_t a, uint64_t b)
 {
 	uint32_t halves[] = {(uint32_t)a, (uint32_t)(a >> 32), (uint32_t)b, (uint32_t)(b >> 32)};
 	return hash_words(word, halves, sizeof halves);
