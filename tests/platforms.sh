@@ -64,13 +64,12 @@ configure()
 # Builds what a row needs. -flto reaches the library only without the tool that makes names local (cmake/names.cmake).
 build_row()
 {
-	local options=(-DSCREE_BUILD_SHARED=OFF) targets=(golden programs) strict=ON
-	# gcc takes more variables for uninitialized if it optimizes less
-	[ "$optimize" = -O3 ] || strict=OFF
+	local options=(-DSCREE_BUILD_SHARED=OFF) targets=(golden programs)
 	[[ $flags != *-flto* ]] || options+=(-DCMAKE_OBJCOPY=)
-	[ "$row" != windows ] || { options=(-DSCREE_BUILD_SHARED=ON) targets=(golden all); }
-	configure "$folder" -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/cross.cmake" -DSCREE_WERROR=$strict -DSCREE_TARGET="$target" \
-		-DSCREE_EMULATOR="${emulator// /;}" -DCMAKE_C_FLAGS="$flags" "${options[@]}" && ninja -j "$(nproc)" -C "$folder" "${targets[@]}"
+	[ "$row" != windows ] || { options=(-DSCREE_BUILD_SHARED=ON -DSCREE_WERROR=ON) targets=(golden all); }
+	configure "$folder" -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/cross.cmake" -DSCREE_TARGET="$target" \
+		-DSCREE_EMULATOR="${emulator// /;}" -DCMAKE_C_FLAGS="$flags" "${options[@]}" &&
+		ninja -j "$(nproc)" -C "$folder" "${targets[@]}"
 }
 
 # scenes LANES: prints the number of scenes whose hashes are equal; 4 lanes have two threads
