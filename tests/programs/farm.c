@@ -44,6 +44,11 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 	return true;
 }
 
+const char* farm_form(const Options* o, char text[40])
+{
+	return form_name(solve_form_setting, (Arithmetic){arithmetic_setting.rounding, o->places[1].flush}, text);
+}
+
 // Shortens a program after which the worlds differ, prints it and writes it to a file. If new worlds do not differ
 // after the program, the earlier programs on the same worlds are put before it.
 static void report(const Options* o, Pair* pair, Program* program, Program* before, uint64_t seed)
@@ -59,12 +64,11 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 		program_copy(program, before);
 		farm_shrink(pair, program, o->shrink);
 	}
-	char form[32];
+	char form[40];
 	if (!farm_print(pair, program, what, stdout))
 		printf("%s: differed, and does not when run again\n", what);
 	program_write(program, stdout);
-	printf("again: programs --device %s --form %s --replay %s\n\n", o->places[1].device,
-	       form_name(solve_form_setting, rounding_setting, form), path);
+	printf("again: programs --device %s --form %s --replay %s\n\n", o->places[1].device, farm_form(o, form), path);
 	fflush(stdout);
 	FILE* file = fopen(path, "w");
 	if (!file)

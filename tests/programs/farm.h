@@ -34,6 +34,9 @@ void farm_work(const Options* options, int job, Desk* desk);
 // Prints the line with counts and returns the result of farm_run. all: sums over the processes.
 int farm_print_counts(const Options* options, const Desk* all, double seconds);
 
+// Writes the name of the form and the arithmetic of the second world.
+const char* farm_form(const Options* options, char text[40]);
+
 // Runs a program on new worlds and prints the difference, with `what` as its name. Returns whether the worlds differ.
 bool farm_print(Pair* pair, const Program* program, const char* what, FILE* file);
 

@@ -4,7 +4,6 @@
 // A process writes the seed of its program to memory that its parent can read. So the parent can report a program that
 // crashed or hangs.
 #include "programs/farm.h"
-#include "support/form_names.h"
 #include "tools/common/clock.h"
 #include <inttypes.h>
 #include <signal.h>
@@ -25,11 +24,11 @@ static bool ended(const Options* o, Desk* desk, pid_t child)
 	if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
 		return true;
 	desk->failed += 1;
-	char form[32];
+	char form[40];
 	printf("program %" PRIu64 ": %s (status %d); again: programs --seed %" PRIu64
 	       " --programs 1 --calls %d --device %s --form %s\n",
 	       desk->seed, late ? "it hangs" : "the process crashed", status, desk->seed, o->calls, o->places[1].device,
-	       form_name(solve_form_setting, rounding_setting, form));
+	       farm_form(o, form));
 	return true;
 }
 
