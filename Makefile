@@ -67,8 +67,8 @@ test-full: packages ## run all tests, also with clang, sanitizers, one lane, Web
 	@cmake --build --preset test-full
 	@ctest --preset test-full --parallel $(cores)
 
-test-platforms: ## build for other processors and for Windows, and compare hashes in emulators: an hour (ROWS=...)
-	@tests/platforms.sh $(ROWS)
+test-platforms: ## build for other processors and for Windows, and compare hashes in emulators (ROW=...)
+	@tests/platforms.sh $(ROW)
 
 bench: build ## measure on the CPU, and on the GPU if there is one, for some minutes, into bench/results/NAME (NAME=local)
 	@tools/packages.sh gnuplot-nox
