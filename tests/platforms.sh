@@ -10,7 +10,8 @@
 #
 # Variables:
 #   PART=4               divisor of the steps of the scenes: 1 or 4, for which tests/golden.txt has hashes
-#   LANES="1 4"          numbers of lanes; gcc needs minutes for 8 and 16 where the processor has no such vectors
+#   LANES=...            numbers of lanes; default: 1 4, on x86-64 1 4 8 16, because gcc needs minutes to split wider vectors
+#                        where the processor has none
 #   PROGRAMS=20          number of random programs; 0 for none
 #   CALLS=60             number of calls of a random program
 #   UNITS=test_float_mode  unit tests that are built and run; empty for none
@@ -20,7 +21,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/usage.sh
-part=${PART:-4} lanes=${LANES:-1 4} programs=${PROGRAMS:-20} calls=${CALLS:-60} units=${UNITS-test_float_mode}
+part=${PART:-4} programs=${PROGRAMS:-20} calls=${CALLS:-60} units=${UNITS-test_float_mode}
 optimize=${OPTIMIZE:--O1} missing=${MISSING:-install}
 build=$(realpath -m "${BUILD:-build/platforms}")
 
@@ -37,7 +38,7 @@ musl         here-linux-musl        -        -             -static
 windows      x86_64-w64-mingw32     -        wine          -static
 '
 
-# Sets the variables of a row: target, emulator, flags, packages.
+# Sets the variables of a row: target, emulator, flags, lanes, packages.
 choose()
 {
 	local line debian
@@ -45,6 +46,8 @@ choose()
 		{ echo "platforms.sh: there is no row $1; the rows are" $(awk '{ print $1 }' <<<"$rows") >&2; exit 2; }
 	read -r _ target debian emulator flags <<<"$line"
 	emulator=${emulator#-} target=${target/#here/$(uname -m)}
+	lanes=${LANES:-1 4}
+	[[ $target != x86_64* ]] || lanes=${LANES:-1 4 8 16}
 	case $target in
 	*musl) packages="musl-tools" ;;
 	*mingw32) packages="gcc-mingw-w64-x86-64 wine wine64" ;;
@@ -174,7 +177,7 @@ tools/source.sh jansson build/sources/jansson
 mkdir -p "$build"
 export SCREE_SCENES=$PWD/scenes WINEDEBUG=-all WINEPREFIX=$build/wine
 here=$build/here all=$(($(grep -vc '^#' tests/golden.txt) / 2))
-emulator= end=
+emulator= end= lanes="1 4"
 # the build of this machine, whose results are the expected ones
 targets=()
 [ "$programs" = 0 ] || targets+=(programs)
