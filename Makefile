@@ -61,7 +61,7 @@ test: packages ## run the tests, on the CPU and through OpenCL: minutes
 	@ctest --preset test --parallel $(cores)
 
 test-full: test_packages += $(full_packages)
-test-full: packages ## run all tests, also with clang, sanitizers, one lane, WebAssembly and a browser: an hour
+test-full: packages ## run all tests, also with clang, sanitizers, one lane, WebAssembly and a browser: much longer
 	@tools/source.sh jansson build/sources/jansson
 	@cmake --preset test-full --log-level=NOTICE
 	@cmake --build --preset test-full

@@ -10,19 +10,19 @@
 #
 # Variables:
 #   PART=4               divisor of the steps of the scenes: 1 or 4, for which tests/golden.txt has hashes
-#   LANES=...            numbers of lanes; default: 1 4, on x86-64 1 4 8 16, because gcc needs minutes to split wider vectors
-#                        where the processor has none
+#   LANES=...            numbers of lanes; default: 1 4, on x86-64 1 4 8 16
+#   OPTIMIZE=...         level of optimization; default: -O1, on x86-64 -O3. gcc needs minutes for wider vectors than those of
+#                        the processor, and for -O3.
 #   PROGRAMS=20          number of random programs; 0 for none
 #   CALLS=60             number of calls of a random program
 #   UNITS=test_float_mode  unit tests that are built and run; empty for none
-#   OPTIMIZE=-O1         level of optimization of the builds
 #   MISSING=install      missing packages: install, or skip for rows that are left out with a sentence and exit 77
 #   BUILD=build/platforms  folder of the builds and their logs
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/usage.sh
 part=${PART:-4} programs=${PROGRAMS:-20} calls=${CALLS:-60} units=${UNITS-test_float_mode}
-optimize=${OPTIMIZE:--O1} missing=${MISSING:-install}
+missing=${MISSING:-install}
 build=$(realpath -m "${BUILD:-build/platforms}")
 
 # row, GNU name of the system, architecture in the names of Debian's packages, emulator, C flags
@@ -38,7 +38,7 @@ musl         here-linux-musl        -        -             -static
 windows      x86_64-w64-mingw32     -        wine          -static
 '
 
-# Sets the variables of a row: target, emulator, flags, lanes, packages.
+# Sets the variables of a row: target, emulator, flags, lanes, optimize, packages.
 choose()
 {
 	local line debian
@@ -46,8 +46,8 @@ choose()
 		{ echo "platforms.sh: there is no row $1; the rows are" $(awk '{ print $1 }' <<<"$rows") >&2; exit 2; }
 	read -r _ target debian emulator flags <<<"$line"
 	emulator=${emulator#-} target=${target/#here/$(uname -m)}
-	lanes=${LANES:-1 4}
-	[[ $target != x86_64* ]] || lanes=${LANES:-1 4 8 16}
+	lanes=${LANES:-1 4} optimize=${OPTIMIZE:--O1}
+	[[ $target != x86_64* ]] || lanes=${LANES:-1 4 8 16} optimize=${OPTIMIZE:--O3}
 	case $target in
 	*musl) packages="musl-tools" ;;
 	*mingw32) packages="gcc-mingw-w64-x86-64 wine wine64" ;;
@@ -80,7 +80,8 @@ configure()
 # Builds what a row needs. -flto reaches the library only without the tool that makes names local (cmake/names.cmake).
 build_row()
 {
-	local options=(-DSCREE_BUILD_SHARED=OFF) targets=(golden programs $units)
+	local options=(-DSCREE_BUILD_SHARED=OFF) targets=(golden $units)
+	[ "$programs" = 0 ] || targets+=(programs)
 	[[ $flags != *-flto* ]] || options+=(-DCMAKE_OBJCOPY=)
 	[ "$row" != windows ] || { options=(-DSCREE_BUILD_SHARED=ON -DSCREE_WERROR=ON) targets=(golden all); }
 	configure "$folder" -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/cross.cmake" -DSCREE_TARGET="$target" \
@@ -177,7 +178,7 @@ tools/source.sh jansson build/sources/jansson
 mkdir -p "$build"
 export SCREE_SCENES=$PWD/scenes WINEDEBUG=-all WINEPREFIX=$build/wine
 here=$build/here all=$(($(grep -vc '^#' tests/golden.txt) / 2))
-emulator= end= lanes="1 4"
+emulator= end= lanes="1 4" optimize=${OPTIMIZE:--O1}
 # the build of this machine, whose results are the expected ones
 targets=()
 [ "$programs" = 0 ] || targets+=(programs)
@@ -197,7 +198,7 @@ for row in "${chosen[@]}"; do
 	program=$(lacking)
 	[ -z "$program" ] || { echo "$row: $program is not installed; Debian's packages are: $packages"; failed=1; continue; }
 	build_row >"$folder.log" 2>&1 ||
-		{ echo "$row: cannot be built:"; grep -E 'error|undefined' "$folder.log" | head -n 5; failed=1; continue; }
+		{ echo "$row: cannot be built: $folder.log"; grep -E 'error:|undefined|CMake Error' "$folder.log" | head -n 5; failed=1; continue; }
 	built=$SECONDS
 	[ "$row" != i686 ] || ! "$folder/golden" 2>&1 | grep -q usage || emulator=
 	# two numbers of lanes at a time
