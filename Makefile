@@ -10,7 +10,7 @@ view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl
 web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs terser
 test_packages := $(view_packages) xvfb twm xdotool git clang-format-14 libcmocka-dev gnuplot-nox ffmpeg jq
 ifneq ($(shell uname -m),aarch64)
-test_packages += gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user # for test_aarch64
+test_packages += gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user # for test_aarch64; 56 MB
 endif
 full_packages := $(web_packages) clang libclang-rt-14-dev chromium chromium-driver
 

@@ -209,7 +209,10 @@ for row in "${chosen[@]}"; do
 	done | xargs -P "$(nproc)" -I '{}' bash -c 'scenes {} >"$folder.{}.equal"'
 	for count in $lanes; do
 		counts="$counts $count: $(cat "$folder.$count.equal")/$all"
-		[ "$(cat "$folder.$count.equal")" = "$all" ] || { failed=1; cat "$folder.$count.err"; }
+		[ "$(cat "$folder.$count.equal")" != "$all" ] || continue
+		failed=1
+		cat "$folder.$count.err"
+		grep -vxFf <(grep -v '^#' tests/golden.txt) "$folder.$count.hashes" | sed "s/^/$row, $count lanes, differs: /" || true
 	done
 	[ "$programs" = 0 ] || compare "$programs programs" "$(program_hash "$folder")" "$expected"
 	if [ "$row" = windows ]; then
