@@ -1,6 +1,6 @@
 # Makefile -- short commands for users. Each target installs the Debian packages that it lacks, then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip gallery web test test-full bench build packages lists format check release clean
+.PHONY: help run view clip gallery web test test-full test-platforms bench build packages lists format check release clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -9,11 +9,14 @@ build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libc
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
 web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs terser
 test_packages := $(view_packages) xvfb twm xdotool git clang-format-14 libcmocka-dev gnuplot-nox ffmpeg jq
+ifneq ($(shell uname -m),aarch64)
+test_packages += gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user # for test_aarch64; 56 MB
+endif
 full_packages := $(web_packages) clang libclang-rt-14-dev chromium chromium-driver
 
 help: ## print this list
 	@echo 'make TARGET, where TARGET is one of'
-	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 12
+	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 17
 
 build: ## build the library and the command line: build/libscree.a, build/libscree.so, build/scree
 	@tools/packages.sh $(build_packages)
@@ -52,16 +55,20 @@ packages:
 	@tools/packages.sh $(build_packages) $(test_packages)
 
 test: packages ## run the tests, on the CPU and through OpenCL: minutes
+	@tools/source.sh jansson build/sources/jansson
 	@cmake --preset test --log-level=NOTICE
 	@cmake --build --preset test
 	@ctest --preset test --parallel $(cores)
 
 test-full: test_packages += $(full_packages)
-test-full: packages ## run all tests, also with clang, sanitizers, one lane, WebAssembly and a browser: an hour
+test-full: packages ## run all tests, also with clang, sanitizers, one lane, WebAssembly and a browser: much longer
 	@tools/source.sh jansson build/sources/jansson
 	@cmake --preset test-full --log-level=NOTICE
 	@cmake --build --preset test-full
 	@ctest --preset test-full --parallel $(cores)
+
+test-platforms: ## build for other processors and for Windows, and compare hashes in emulators (ROW=...)
+	@tests/platforms.sh $(ROW)
 
 bench: build ## measure on the CPU, and on the GPU if there is one, for some minutes, into bench/results/NAME (NAME=local)
 	@tools/packages.sh gnuplot-nox

@@ -15,6 +15,9 @@ list(APPEND SCREE_FLOAT_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-ma
 # No file needs instructions that fuse; lanes16.c turns AVX-512 on again. Floats of 32-bit x86 use SSE2.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|i[3-6]86)$" AND NOT EMSCRIPTEN)
 	list(APPEND SCREE_FLOAT_FLAGS -mno-avx512f -mno-fma4 -mno-fma -msse2 -mfpmath=sse)
+elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "s390x" AND CMAKE_C_COMPILER_ID STREQUAL "GNU")
+	# with -std=c17, gcc for s390x evaluates float expressions in double, although the processor has float instructions
+	list(APPEND SCREE_FLOAT_FLAGS -fexcess-precision=fast)
 endif()
 
 set(SCREE_LINK_FLAGS "")
@@ -46,6 +49,14 @@ function(scree_flags target)
 		# C++ compilers always define it.
 		target_compile_definitions(${target} PRIVATE $<$<COMPILE_LANGUAGE:C>:_GNU_SOURCE=>)
 	endif()
+	if(MINGW)
+		# selects printf functions of C17, because those of msvcrt.dll lack %zu
+		target_compile_definitions(${target} PRIVATE __USE_MINGW_ANSI_STDIO=1)
+		if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
+			# gcc checks the attribute format(printf) by the rules of msvcrt.dll; all other builds check it by those of C17
+			target_compile_options(${target} PRIVATE -Wno-format -Wno-format-extra-args)
+		endif()
+	endif()
 	if(SCREE_WERROR)
 		target_compile_options(${target} PRIVATE -Werror)
 	endif()
@@ -61,6 +72,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
 	set_source_files_properties(src/cpu/lanes8.c src/cpu/scalar_avx2.c PROPERTIES COMPILE_OPTIONS "-mavx2")
 	set_source_files_properties(src/cpu/lanes16.c PROPERTIES
 		COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw")
+	if(WIN32 AND CMAKE_C_COMPILER_ID STREQUAL "GNU")
+		# gcc for Windows aligns the stack to 16 bytes only (its bug 54412), so moves of wider vectors must allow any address
+		set_property(SOURCE src/cpu/lanes8.c src/cpu/scalar_avx2.c src/cpu/lanes16.c APPEND PROPERTY
+			COMPILE_OPTIONS -Wa,-muse-unaligned-vector-move)
+	endif()
 endif()
 
 # Each of these files holds all stages. Without this option gcc stops inlining when a file has grown by 40 %, so each

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // reader.c -- reads and checks JSON values; errors name the location in the file.
 #include "scene/reader.h"
+#include "tools/common/open_input.h"
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
@@ -33,7 +34,7 @@ static size_t read_part(void* buffer, size_t size, void* context)
 json_t* reader_load(const char* path, char* sentence)
 {
 	json_error_t error = {.line = 0};
-	Source source = {.file = fopen(path, "rb")};
+	Source source = {.file = open_input(path)};
 	json_t* root = NULL;
 	if (source.file)
 	{

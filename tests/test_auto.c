@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_auto.c -- checks that the device "auto" moves a world by measured times, and that moves do not change its state.
+#include "support/environment.h"
 #include "support/faulty_device.h"
 #include "support/log_lines.h"
 #include "support/second_device.h"
@@ -11,7 +12,7 @@
 
 static int forget_auto(void** state)
 {
-	unsetenv("SCREE_AUTO");
+	set_environment("SCREE_AUTO", NULL);
 	return release_log(state) || memory_is_released(state);
 }
 
@@ -35,7 +36,7 @@ static void trial_decides(void** state)
 {
 	(void)state;
 	NEEDS_SECOND_DEVICE();
-	setenv("SCREE_AUTO", second_device, 1);
+	set_environment("SCREE_AUTO", second_device);
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
 	world->auto_device.meters[0].step = 1e6;
@@ -69,7 +70,7 @@ static void world_goes_back(void** state)
 {
 	(void)state;
 	NEEDS_SECOND_DEVICE();
-	setenv("SCREE_AUTO", second_device, 1);
+	set_environment("SCREE_AUTO", second_device);
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
 	world->auto_device.meters[0].step = 0.0;
@@ -103,7 +104,7 @@ static void small_world_stays(void** state)
 static void other_is_missing(void** state)
 {
 	(void)state;
-	setenv("SCREE_AUTO", "opencl:no such device", 1);
+	set_environment("SCREE_AUTO", "opencl:no such device");
 	scree_world* world = open_pile("auto", false);
 	run_steps(world, 20);
 	assert_string_equal(scree_world_get_device(world), "cpu");
@@ -111,7 +112,7 @@ static void other_is_missing(void** state)
 	assert_int_equal(log_count, 1);
 	scree_world_destroy(world);
 
-	setenv("SCREE_AUTO", "cpu", 1);
+	set_environment("SCREE_AUTO", "cpu");
 	world = open_pile("auto", false);
 	run_steps(world, 20);
 	assert_int_equal(log_count, 1);
@@ -147,7 +148,7 @@ static void user_decides(void** state)
 {
 	(void)state;
 	NEEDS_SECOND_DEVICE();
-	setenv("SCREE_AUTO", second_device, 1);
+	set_environment("SCREE_AUTO", second_device);
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
 	OK(scree_world_move(world, "cpu"));

@@ -4,6 +4,7 @@
 #include "opencl/compile.h"
 #include "opencl/device.h"
 #include "support/checks.h"
+#include "support/environment.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -76,13 +77,13 @@ static void no_folder_no_cache(void** state)
 	char folder[512];
 	snprintf(folder, sizeof folder, "%s", getenv("SCREE_CACHE"));
 	Digest key = key_of("nowhere");
-	setenv("SCREE_CACHE", "", 1);
+	set_environment("SCREE_CACHE", "");
 	cache_write(key, (const unsigned char*)"x", 1);
 	check_read(key, NULL);
-	setenv("SCREE_CACHE", "/proc/nowhere", 1);
+	set_environment("SCREE_CACHE", "/proc/nowhere");
 	cache_write(key, (const unsigned char*)"x", 1);
 	check_read(key, NULL);
-	setenv("SCREE_CACHE", folder, 1);
+	set_environment("SCREE_CACHE", folder);
 	check_read(key, NULL);
 }
 

@@ -320,6 +320,11 @@ static void rotations_are_accurate(void** state)
 	{
 		float angle = i % 2 ? -angles[i / 2] : angles[i / 2];
 		scree_rot q = scree_rot_make(angle);
+#ifdef _WIN32
+		// the cosine of mingw-w64 is an x87 instruction, which reduces large angles by a pi of 66 bits
+		if (fabsf(angle) > 1e15f)
+			continue;
+#endif
 		NEAR(q.c, cos(angle), 6e-8);
 		NEAR(q.s, sin(angle), 6e-8);
 	}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_queries.c -- checks the results of ray casts, shape casts, overlaps and nearest collidables. The reference tests
 // every collidable in double precision.
+#include "pools/query_types.h"
 #include "support/exact_shapes.h"
 #include "support/random_queries.h"
 #include "tools/common/random_numbers.h"
@@ -447,12 +448,26 @@ static void rays_through_segments(void** state)
 	}
 }
 
+// The marks that the device writes are the bytes of `hit` and `inside` that the user reads, for both orders of bytes.
+static void marks_are_bytes_of_results(void** state)
+{
+	(void)state;
+	for (int inside = 0; inside < 2; ++inside)
+	{
+		QueryResult row = {.collidable = 7, .marks = FOUND_HIT | (inside ? FOUND_INSIDE : 0)};
+		scree_query_result result;
+		memcpy(&result, &row, sizeof row);
+		assert_int_equal(result.collidable.index, 7);
+		assert_true(result.hit && result.inside == inside && result.reserved == 0);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(answers_are_exact),     cmocka_unit_test(far_away),
 	    cmocka_unit_test(tiny_and_huge),         cmocka_unit_test(shapes_alone),
-	    cmocka_unit_test(rays_through_segments),
+	    cmocka_unit_test(rays_through_segments), cmocka_unit_test(marks_are_bytes_of_results),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,7 +2,7 @@
 # source.sh -- unpacks the upstream sources of a Debian source package. If the folder exists, it is not changed.
 #
 # usage: tools/source.sh PACKAGE FOLDER
-# Debian does not build its packages for WebAssembly, so they are compiled from these sources. apt fetches and checks the sources.
+# Debian does not build its packages for WebAssembly or Windows, so they are compiled from these sources. apt fetches and checks the sources.
 # Its package lists are in a temporary folder: the lists of the system do not change, and root is not needed.
 set -eu
 . "$(dirname "$0")/usage.sh"
@@ -36,5 +36,6 @@ if ! fetch update || ! fetch source --download-only "$package"; then
 	exit 1
 fi
 mkdir "$work/unpacked"
+rm -f "$work/$package"_*.orig.tar.*.asc # the signature of the archive
 tar -xf "$work/$package"_*.orig.tar.* -C "$work/unpacked" --strip-components=1
 mv "$work/unpacked" "$folder"

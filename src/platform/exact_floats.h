@@ -18,7 +18,7 @@
 #elif defined(__NO_SIGNED_ZEROS__)
 #error "scree: -fno-signed-zeros changes the signs of zeros; compile with -fsigned-zeros"
 #elif defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
-#error "scree: floats are computed with excess precision; on x86 compile with -msse2 -mfpmath=sse"
+#error "scree: floats are computed with excess precision; set -msse2 -mfpmath=sse (x86), -fexcess-precision=fast (s390)"
 #endif
 
 #ifndef __cplusplus

@@ -2,6 +2,7 @@
 // processor.c -- returns cores, memory, time and vector instructions of the processor; sets its floating-point mode.
 #define _GNU_SOURCE // declares sched_getaffinity and clock_gettime; ignored on other systems
 #include "platform/processor.h"
+#include <fenv.h>
 #ifdef _WIN32
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
@@ -146,10 +147,42 @@ MODE_CALL FloatMode float_mode_enter(void)
 MODE_CALL void float_mode_leave(FloatMode found) { __asm__ volatile("msr fpcr, %0" : : "r"(found)); }
 void float_mode_flush(void) { float_mode_leave(1u << 24); } // FZ
 
-#else
+#elif defined(__arm__) && defined(__ARM_FP)
+
+MODE_CALL FloatMode float_mode_enter(void)
+{
+	uint32_t found, plain = 0; // round to nearest; flush-to-zero, default NaN and traps off
+	__asm__ volatile("vmrs %0, fpscr" : "=r"(found));
+	__asm__ volatile("vmsr fpscr, %0" : : "r"(plain));
+	return found;
+}
+
+MODE_CALL void float_mode_leave(FloatMode found) { __asm__ volatile("vmsr fpscr, %0" : : "r"((uint32_t)found)); }
+void float_mode_flush(void) { float_mode_leave(1u << 24); } // FZ
+
+#elif defined(__wasm__)
 
 FloatMode float_mode_enter(void) { return 0; }
 void float_mode_leave(FloatMode found) { (void)found; }
+void float_mode_flush(void) {}
+
+#else
+
+// Other processors have no mode that flushes denormals, or it is not in use on Linux; the rounding remains.
+MODE_CALL FloatMode float_mode_enter(void)
+{
+	int found = fegetround();
+	if (found != FE_TONEAREST)
+		fesetround(FE_TONEAREST);
+	return (FloatMode)found;
+}
+
+MODE_CALL void float_mode_leave(FloatMode found)
+{
+	if (found != FE_TONEAREST)
+		fesetround((int)found);
+}
+
 void float_mode_flush(void) {}
 
 #endif

@@ -50,8 +50,14 @@ typedef struct // 32 bytes: scree_query_result on the device
 	float fraction; // fraction of the path; for a query of the nearest collidable, its distance, m
 	Word marks;     // FOUND_* bits
 } QueryResult;
+// The user reads the first two bytes of QueryResult.marks as bool.
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+#define FOUND_HIT    0x1000000u
+#define FOUND_INSIDE 0x10000u
+#else
 #define FOUND_HIT    1u
 #define FOUND_INSIDE 0x100u
+#endif
 
 typedef struct // settings that all queries of a call share
 {

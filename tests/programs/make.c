@@ -35,7 +35,7 @@ static void set_place(Maker* m, Call* call)
 {
 	float x = bounded(m, 4.0f), y = bounded(m, 3.0f);
 	if (chance(m, 0.05)) // places some objects far away
-		x += sign(m) * PICK(m, 100.0f, 3000.0f, 90000.0f);
+		x += of_any_sign(m, PICK(m, 100.0f, 3000.0f, 90000.0f));
 	call_set(call, "x", x);
 	call_set(call, "y", chance(m, 0.05) ? y : y + 3.0f);
 	call_set(call, "angle", angle(m));

@@ -47,14 +47,21 @@ static inline float between(Maker* m, float low, float high)
 static inline float pick(Maker* m, const float* values, int count) { return values[below(m, count)]; }
 #define PICK(m, ...) pick(m, (const float[]){__VA_ARGS__}, (int)(sizeof((const float[]){__VA_ARGS__}) / sizeof(float)))
 
-static inline float sign(Maker* m) { return chance(m, 0.5) ? 1.0f : -1.0f; }
+// C leaves the order of two operands or arguments open. So an expression has one random number that is not an argument of
+// another, and programs are the same for every compiler.
+
+// Returns x or -x.
+static inline float of_any_sign(Maker* m, float x) { return chance(m, 0.5) ? x : -x; }
+
+// Returns x, or in 1 % of the calls x + excess, which is out of range.
+static inline int rarely_beyond(Maker* m, int x, int excess) { return chance(m, 0.01) ? x + excess : x; }
 
 // Returns any finite number, for forces.
 static inline float amount(Maker* m, float usual)
 {
 	if (chance(m, m->extreme))
-		return sign(m) * PICK(m, 0.0f, 1e-45f, 3e-42f, FLT_MIN, 1e-30f, 1e-20f, 1e-10f, 1e6f, 1e10f, 1e15f, 1e19f,
-		                      1e20f, 1e22f, 1e25f, 1e30f, 1e35f, 1e38f, FLT_MAX);
+		return of_any_sign(m, PICK(m, 0.0f, 1e-45f, 3e-42f, FLT_MIN, 1e-30f, 1e-20f, 1e-10f, 1e6f, 1e10f, 1e15f, 1e19f,
+		                           1e20f, 1e22f, 1e25f, 1e30f, 1e35f, 1e38f, FLT_MAX));
 	if (chance(m, 0.1))
 		return PICK(m, 0.0f, -0.0f);
 	return between(m, -usual, usual);
@@ -64,8 +71,8 @@ static inline float amount(Maker* m, float usual)
 static inline float bounded(Maker* m, float usual)
 {
 	if (chance(m, m->extreme))
-		return sign(m) * PICK(m, 0.0f, 1e-45f, 3e-42f, FLT_MIN, 1e-20f, 1e-6f, 20.0f * usual, 400.0f, 1000.0f, 1e4f,
-		                      99999.0f, 1e5f, 1.00001e5f, INFINITY, NAN);
+		return of_any_sign(m, PICK(m, 0.0f, 1e-45f, 3e-42f, FLT_MIN, 1e-20f, 1e-6f, 20.0f * usual, 400.0f, 1000.0f,
+		                           1e4f, 99999.0f, 1e5f, 1.00001e5f, INFINITY, NAN));
 	if (chance(m, 0.1))
 		return PICK(m, 0.0f, -0.0f);
 	return between(m, -usual, usual);

@@ -20,14 +20,14 @@ static void put_new(Maker* m)
 {
 	Call call = call_make(CALL_field);
 	call_set(&call, "field", (float)below(m, MOST_FIELDS));
-	call_set(&call, "type", (float)(below(m, 6) + chance(m, 0.01)));
+	call_set(&call, "type", (float)rarely_beyond(m, below(m, 6), 1));
 	if (chance(m, 0.3))
 		call_set(&call, "body", any_body(m));
 	if (chance(m, 0.6))
 		call_set(&call, "attribute", (float)below(m, m->attributes + 1));
 	set_pose(m, &call);
 	call_set(&call, "strength", chance(m, 0.1) ? PICK(m, 1e6f, -1e6f, 1e12f, 1e-30f) : amount(m, 30.0f));
-	call_set(&call, "falloff", (float)(below(m, 4) + chance(m, 0.01)));
+	call_set(&call, "falloff", (float)rarely_beyond(m, below(m, 4), 1));
 	call_set(&call, "radius", chance(m, 0.1) ? PICK(m, 1e-3f, 1e-4f, 1e5f) : between(m, 0.1f, 5.0f));
 	call_set(&call, "softening", chance(m, 0.3) ? PICK(m, 0.0f, 1e-30f, 1e5f) : factor(m, 1.0f));
 	call_set(&call, "ax", amount(m, 20.0f));

@@ -65,7 +65,7 @@ static void set_sides(Maker* m, Call* call)
 {
 	call_set(call, "gear", gear(m));
 	if (chance(m, 0.5))
-		call_set(call, "measure_a", (float)(below(m, 3) + 2 * chance(m, 0.01)));
+		call_set(call, "measure_a", (float)rarely_beyond(m, below(m, 3), 2));
 	if (chance(m, 0.5))
 		call_set(call, "measure_b", (float)below(m, 3));
 	set_frame(m, call, "bx", "by", "bangle");
@@ -152,7 +152,7 @@ static void put_coordinate(Maker* m)
 	if (chance(m, 0.3))
 		call_set(&call, "count", (float)(1 + below(m, 6)));
 	// gears and pulleys have only the first coordinate
-	call_set(&call, "which", (float)(chance(m, 0.3) ? 0 : below(m, 3) + 3 * chance(m, 0.01)));
+	call_set(&call, "which", (float)(chance(m, 0.3) ? 0 : rarely_beyond(m, below(m, 3), 3)));
 	call_set(&call, "drives", (float)below(m, 16));
 	call_set(&call, "target", bounded(m, 2.0f));
 	if (chance(m, 0.4))
@@ -170,7 +170,10 @@ static void put_coordinate(Maker* m)
 	if (chance(m, 0.4))
 		call_set(&call, "spring_max", most(m));
 	if (chance(m, 0.2))
-		call_set(&call, chance(m, 0.5) ? "push" : "pull", chance(m, 0.5) ? 0.0f : most(m));
+	{
+		float limit = chance(m, 0.5) ? 0.0f : most(m);
+		call_set(&call, chance(m, 0.5) ? "push" : "pull", limit);
+	}
 	call_set(&call, "speed", bounded(m, 5.0f));
 	call_set(&call, "motor_max", most(m));
 	put(m, call);

@@ -3,9 +3,10 @@
 #include "backend/arithmetic.h"
 #include "programs/run_call.h"
 #include <inttypes.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "platform/system.h" // on Windows it defines the names near and far, so it is the last one
 
 // Returns a pseudo-random word for a call (Donald Knuth, multiplicative hashing). It depends only on this call and on
 // `first`. Other calls have no influence, because they may be dropped when the program is shortened.
@@ -80,53 +81,56 @@ static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 
 struct Worker
 {
-	pthread_t thread;
-	pthread_mutex_t mutex;
-	pthread_cond_t changed;
+	Thread thread;
+	Mutex mutex;
+	Condition changed;
 	const Call* call; // call in progress, or null
 	bool hashes, ends;
 	Left left;
 };
 
-static void* work(void* context)
+static THREAD_RESULT work(void* context)
 {
 	Pair* pair = context;
 	struct Worker* h = pair->worker;
-	pthread_mutex_lock(&h->mutex);
+	mutex_lock(&h->mutex);
 	for (;;)
 	{
 		while (!h->call && !h->ends)
-			pthread_cond_wait(&h->changed, &h->mutex);
+			condition_wait(&h->changed, &h->mutex);
 		if (h->ends)
 			break;
-		pthread_mutex_unlock(&h->mutex);
+		mutex_unlock(&h->mutex);
 		Left left = make_call(pair, 0, h->call, h->hashes);
-		pthread_mutex_lock(&h->mutex);
+		mutex_lock(&h->mutex);
 		h->left = left;
 		h->call = NULL;
-		pthread_cond_broadcast(&h->changed);
+		condition_wake_all(&h->changed);
 	}
-	pthread_mutex_unlock(&h->mutex);
-	return NULL;
+	mutex_unlock(&h->mutex);
+	return THREAD_END;
 }
 
 static void worker_open(Pair* pair)
 {
 	struct Worker* h = pair->worker = calloc(1, sizeof *h);
-	if (!h || pthread_mutex_init(&h->mutex, NULL) || pthread_cond_init(&h->changed, NULL) ||
-	    pthread_create(&h->thread, NULL, work, pair))
+	if (!h)
+		abort();
+	mutex_open(&h->mutex);
+	condition_open(&h->changed);
+	if (!thread_start(&h->thread, work, pair))
 		abort();
 }
 
 static void worker_close(struct Worker* h)
 {
-	pthread_mutex_lock(&h->mutex);
+	mutex_lock(&h->mutex);
 	h->ends = true;
-	pthread_cond_broadcast(&h->changed);
-	pthread_mutex_unlock(&h->mutex);
-	pthread_join(h->thread, NULL);
-	pthread_cond_destroy(&h->changed);
-	pthread_mutex_destroy(&h->mutex);
+	condition_wake_all(&h->changed);
+	mutex_unlock(&h->mutex);
+	thread_join(h->thread);
+	condition_close(&h->changed);
+	mutex_close(&h->mutex);
 	free(h);
 }
 
@@ -139,17 +143,17 @@ static void make_calls(Pair* pair, const Call* call, bool hashes, Left left[2])
 		left[1] = make_call(pair, 1, call, hashes);
 		return;
 	}
-	pthread_mutex_lock(&h->mutex);
+	mutex_lock(&h->mutex);
 	h->call = call;
 	h->hashes = hashes;
-	pthread_cond_broadcast(&h->changed);
-	pthread_mutex_unlock(&h->mutex);
+	condition_wake_all(&h->changed);
+	mutex_unlock(&h->mutex);
 	left[1] = make_call(pair, 1, call, hashes);
-	pthread_mutex_lock(&h->mutex);
+	mutex_lock(&h->mutex);
 	while (h->call)
-		pthread_cond_wait(&h->changed, &h->mutex);
+		condition_wait(&h->changed, &h->mutex);
 	left[0] = h->left;
-	pthread_mutex_unlock(&h->mutex);
+	mutex_unlock(&h->mutex);
 }
 
 // ---------------------------------------------------------------------------------------------------------------

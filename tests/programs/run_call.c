@@ -159,18 +159,14 @@ static scree_status run_read(const CallRun* r)
 	    !contacts_agree(r, body, contacts, counts[0]))
 		return SCREE_ERROR_DEVICE_FAILED;
 	for (int k = 0; k < counts[0] && k < MOST_READ && status == SCREE_OK; ++k)
-	{
-		contacts[k].points[1] = contacts[k].count > 1 ? contacts[k].points[1] : (scree_contact_point){.feature = 0};
-		contacts[k].details[1] = contacts[k].count > 1 ? contacts[k].details[1] : (scree_contact_detail){.touched = 0};
-		word = hash_bytes(word, &contacts[k], sizeof contacts[k]);
-	}
+		word = mix_contact(word, &contacts[k]);
 	if (status == SCREE_OK)
 		status = scree_world_get_overlaps(r->world, contacts, 0, &counts[1]);
 	if (status == SCREE_OK)
 		status = scree_world_get_render_rows(r->world, shown, MOST_READ, &counts[2]);
 	if (status == SCREE_OK)
-		word = hash_bytes(word, shown, (size_t)(counts[2] < MOST_READ ? counts[2] : MOST_READ) * sizeof shown[0]);
-	word = hash_bytes(word, counts, sizeof counts);
+		word = hash_words(word, shown, (size_t)(counts[2] < MOST_READ ? counts[2] : MOST_READ) * sizeof shown[0]);
+	word = hash_words(word, counts, sizeof counts);
 	scree_counters c;
 	if (status == SCREE_OK)
 		status = scree_world_get_counters(r->world, &c);
@@ -179,7 +175,7 @@ static scree_status run_read(const CallRun* r)
 		int more[] = {c.bodies, c.dynamic_bodies, c.collidables,  c.contacts,     c.touching,
 		              c.colors, c.spokes,         c.new_contacts, c.frozen_bodies};
 		float depths[] = {c.penetration, c.joint_gap};
-		word = hash_bytes(hash_bytes(word, more, sizeof more), depths, sizeof depths);
+		word = hash_words(hash_words(word, more, sizeof more), depths, sizeof depths);
 	}
 	scree_pose pose = {0};
 	scree_velocity velocity = {0};
@@ -188,7 +184,7 @@ static scree_status run_read(const CallRun* r)
 		status = scree_body_get_pose(r->world, body, &pose);
 		if (status == SCREE_OK)
 			status = scree_body_get_velocity(r->world, body, &velocity);
-		word = hash_bytes(hash_bytes(word, &pose, sizeof pose), &velocity, sizeof velocity);
+		word = hash_words(hash_words(word, &pose, sizeof pose), &velocity, sizeof velocity);
 	}
 	if (status == SCREE_OK)
 		status = read_joints(r, &word);

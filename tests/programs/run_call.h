@@ -81,8 +81,11 @@ scree_status clear_fields(const CallRun* run);
 scree_status run_ask(const CallRun* run);
 scree_status run_blast(const CallRun* run);
 
-// run_step.c: takes a step, and mixes its events into a word.
+// run_step.c: takes a step, and mixes its events into a word. mix_user and mix_contact mix user data of two objects and
+// the members of a contact. Structs with 64-bit members are mixed by members: their padding depends on the platform.
 scree_status run_step(const CallRun* run);
+uint64_t mix_user(uint64_t word, uint64_t a, uint64_t b);
+uint64_t mix_contact(uint64_t word, const scree_contact* contact);
 
 // Returns the next number of a random sequence (Donald Knuth, H. W. Lewis). Worlds of saved programs depend on it, so
 // tools/common/random_numbers.h cannot replace it.

@@ -79,8 +79,8 @@ scree_status read_fields(const CallRun* r, uint64_t* word)
 	{
 		scree_field_def def;
 		status = scree_field_get_def(r->world, fields[k], &def);
-		*word = hash_bytes(hash_bytes(*word, &def.pose, sizeof def.pose), &def.strength, sizeof def.strength);
+		*word = hash_words(hash_words(*word, &def.pose, sizeof def.pose), &def.strength, sizeof def.strength);
 	}
-	*word = hash_bytes(*word, &count, sizeof count);
+	*word = hash_words(*word, &count, sizeof count);
 	return status;
 }

@@ -217,8 +217,8 @@ scree_status read_joints(const CallRun* r, uint64_t* word)
 	{
 		if (!state_counts(&states[k]))
 			return SCREE_ERROR_DEVICE_FAILED;
-		*word = hash_bytes(*word, &joints[k], sizeof joints[k]);
-		*word = hash_bytes(*word, &states[k], offsetof(scree_joint_state, broken));
+		*word = hash_words(*word, &joints[k], sizeof joints[k]);
+		*word = hash_words(*word, &states[k], offsetof(scree_joint_state, broken));
 		*word = hash_bytes(*word, &states[k].broken, sizeof states[k].broken);
 	}
 	if (status == SCREE_OK)
@@ -226,11 +226,11 @@ scree_status read_joints(const CallRun* r, uint64_t* word)
 	for (int k = 0; k < counts[1] && k < MOST_NAMES && status == SCREE_OK; ++k)
 	{
 		float loads[] = {events[k].force, events[k].torque, events[k].broken ? 1.0f : 0.0f};
-		*word = hash_bytes(hash_bytes(*word, loads, sizeof loads), &events[k].joint, sizeof events[k].joint);
+		*word = hash_words(hash_words(*word, loads, sizeof loads), &events[k].joint, sizeof events[k].joint);
 	}
 	scree_body body = call_body(r, call_whole(r, "body"));
 	if (status == SCREE_OK && scree_body_is_valid(r->world, body))
 		status = scree_body_get_joints(r->world, body, joints, 8, &counts[2]);
-	*word = hash_bytes(*word, counts, sizeof counts);
+	*word = hash_words(*word, counts, sizeof counts);
 	return status;
 }

@@ -71,8 +71,8 @@ scree_status read_paths(const CallRun* r, uint64_t* word)
 			status = scree_path_get_pose(r->world, paths[k], 0.3f * length, &pose);
 		if (status == SCREE_OK)
 			status = scree_path_get_nearest(r->world, paths[k], (scree_vec){1.0f, 2.0f}, &along);
-		*word = hash_bytes(hash_bytes(*word, &pose, sizeof pose), &along, sizeof along);
+		*word = hash_words(hash_words(*word, &pose, sizeof pose), &along, sizeof along);
 	}
-	*word = hash_bytes(*word, &count, sizeof count);
+	*word = hash_words(*word, &count, sizeof count);
 	return status;
 }

@@ -7,10 +7,27 @@
 
 static float spread(uint32_t* seed, float size) { return size * (2.0f * call_random_part(seed) - 1.0f); }
 
+static uint64_t mix_results(uint64_t word, const scree_query_result* results, int count)
+{
+	for (int k = 0; k < count; ++k)
+	{
+		const scree_query_result* r = results + k;
+		int marks[] = {r->hit, r->inside, r->reserved};
+		word = hash_words(hash_words(word, r, offsetof(scree_query_result, hit)), marks, sizeof marks);
+	}
+	return word;
+}
+
+static uint64_t mix_moved(uint64_t word, const scree_moved_body* m)
+{
+	word = hash_words(hash_words(word, &m->body, sizeof m->body), &m->pose, sizeof m->pose);
+	return mix_user(hash_words(word, &m->velocity, sizeof m->velocity), m->user, 0);
+}
+
 static scree_status mix_list(scree_status status, const scree_query_results* list, uint64_t* word)
 {
 	if (status == SCREE_OK)
-		*word = hash_bytes(*word, list->results, (size_t)list->count * sizeof *list->results);
+		*word = mix_results(*word, list->results, list->count);
 	return status;
 }
 
@@ -33,8 +50,8 @@ scree_status run_ask(const CallRun* r)
 	scree_query_results list;
 	for (int k = 0; k < APPROVAL; ++k)
 	{
-		scree_vec at = {center.x + spread(&seed, size), center.y + spread(&seed, size)};
-		scree_vec path = {spread(&seed, size), k % 4 ? spread(&seed, size) : 0.0f};
+		float x = spread(&seed, size), y = spread(&seed, size), path_x = spread(&seed, size);
+		scree_vec at = {center.x + x, center.y + y}, path = {path_x, k % 4 ? spread(&seed, size) : 0.0f};
 		scree_body ignored = k % 3 ? SCREE_NULL_BODY : call_body(r, body);
 		rays[k] = (scree_ray){.origin = at, .translation = path, .radius = k % 2 ? 0.0f : fabsf(0.1f * size)};
 		rays[k].ignored = ignored;
@@ -46,17 +63,17 @@ scree_status run_ask(const CallRun* r)
 	scree_status status = scree_world_cast_rays(r->world, &def, rays, APPROVAL, found);
 	if (status == SCREE_OK)
 	{
-		word = hash_bytes(word, found, sizeof found);
+		word = mix_results(word, found, APPROVAL);
 		status = scree_world_cast_shapes(r->world, &def, shape, probes, APPROVAL, found);
 	}
 	if (status == SCREE_OK)
 	{
-		word = hash_bytes(word, found, sizeof found);
+		word = mix_results(word, found, APPROVAL);
 		status = scree_world_find_nearest(r->world, &def, shape, places, APPROVAL, fabsf(size), found);
 	}
 	if (status == SCREE_OK)
 	{
-		word = hash_bytes(word, found, sizeof found);
+		word = mix_results(word, found, APPROVAL);
 		status = mix_list(scree_world_list_rays(r->world, &def, rays, APPROVAL, &list), &list, &word);
 	}
 	if (status == SCREE_OK)
@@ -65,7 +82,7 @@ scree_status run_ask(const CallRun* r)
 	if (status == SCREE_OK)
 		status = scree_world_get_moved_bodies(r->world, &moved);
 	for (int k = 0; k < moved.count && status == SCREE_OK; ++k)
-		word = hash_bytes(word, moved.bodies + k, sizeof moved.bodies[k]);
+		word = mix_moved(word, moved.bodies + k);
 	r->left->word = word;
 	return status;
 }

@@ -5,26 +5,44 @@
 
 static uint64_t name_of(const scree_contact* c)
 {
-	return hash_bytes(hash_bytes(HASH_BEGIN, &c->a, sizeof c->a), &c->b, sizeof c->b);
+	return hash_words(hash_words(HASH_BEGIN, &c->a, sizeof c->a), &c->b, sizeof c->b);
 }
 
-static uint64_t mix_contact(uint64_t word, const scree_contact* c)
+uint64_t mix_user(uint64_t word, uint64_t a, uint64_t b)
+{
+	uint32_t halves[] = {(uint32_t)a, (uint32_t)(a >> 32), (uint32_t)b, (uint32_t)(b >> 32)};
+	return hash_words(word, halves, sizeof halves);
+}
+
+uint64_t mix_contact(uint64_t word, const scree_contact* c)
 {
 	size_t points = (size_t)c->count;
-	word = hash_bytes(hash_bytes(word, &c->a, sizeof c->a), &c->b, sizeof c->b);
-	word = hash_bytes(hash_bytes(word, &c->normal, sizeof c->normal), c->points, points * sizeof c->points[0]);
-	return hash_bytes(hash_bytes(word, c->details, points * sizeof c->details[0]), &c->user_a, sizeof c->user_a);
+	int numbers[] = {c->color, c->count, c->destroyed_a, c->destroyed_b};
+	word = hash_words(hash_words(word, &c->a, sizeof c->a), &c->b, sizeof c->b);
+	word = hash_words(hash_words(word, &c->body_a, sizeof c->body_a), &c->body_b, sizeof c->body_b);
+	word = hash_words(hash_words(word, numbers, sizeof numbers), &c->normal, sizeof c->normal);
+	word = hash_words(word, c->points, points * sizeof c->points[0]);
+	word = hash_words(word, c->details, points * sizeof c->details[0]);
+	return mix_user(word, c->user_a, c->user_b);
+}
+
+static uint64_t mix_hit(uint64_t word, const scree_hit* h)
+{
+	word = hash_words(hash_words(word, &h->a, sizeof h->a), &h->b, sizeof h->b);
+	word = hash_words(hash_words(word, &h->body_a, sizeof h->body_a), &h->body_b, sizeof h->body_b);
+	word = hash_words(word, &h->point, sizeof *h - offsetof(scree_hit, point));
+	return mix_user(word, h->user_a, h->user_b);
 }
 
 static uint64_t mix_visit(uint64_t word, const scree_visit* v)
 {
-	word = hash_bytes(hash_bytes(word, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
-	return hash_bytes(word, &v->time, sizeof v->time);
+	word = hash_words(hash_words(word, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
+	return hash_words(word, &v->time, sizeof v->time);
 }
 
 static uint64_t name_of_visit(const scree_visit* v)
 {
-	return hash_bytes(hash_bytes(0x9ae16a3b2f90404fu, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
+	return hash_words(hash_words(0x9ae16a3b2f90404fu, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
 }
 
 // Adds the begin and end events of a step to the open events. Returns false if more events have ended than begun, or if
@@ -63,7 +81,7 @@ scree_status run_step(const CallRun* r)
 	for (int k = 0; k < events.approval_count; ++k)
 		word = mix_contact(word, events.approvals + k);
 	for (int k = 0; k < events.hit_count; ++k)
-		word = hash_bytes(word, events.hits + k, sizeof events.hits[k]);
+		word = mix_hit(word, events.hits + k);
 	for (int k = 0; k < events.visits_began_count; ++k)
 		word = mix_visit(word, events.visits_began + k);
 	for (int k = 0; k < events.visits_ended_count; ++k)

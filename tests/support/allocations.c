@@ -17,13 +17,21 @@ static void* limited_allocate(size_t bytes, size_t alignment, void* context)
 		return NULL;
 	}
 	allocations_left -= allocations_left > 0;
+#ifdef _WIN32
+	return _aligned_malloc(bytes, alignment);
+#else
 	return aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+#endif
 }
 
 static void plain_release(void* memory, void* context)
 {
 	(void)context;
+#ifdef _WIN32
+	_aligned_free(memory);
+#else
 	free(memory);
+#endif
 }
 
 void count_allocations(void)

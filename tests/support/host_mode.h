@@ -7,7 +7,7 @@
 #include <xmmintrin.h>
 #endif
 
-// Rounds up, and on x86 and ARM64 replaces denormal results and operands by zero.
+// Rounds up, and on x86 and ARM replaces denormal results and operands by zero.
 static inline void host_mode_enter(void)
 {
 	fesetround(FE_UPWARD);
@@ -17,6 +17,10 @@ static inline void host_mode_enter(void)
 	unsigned long mode;
 	__asm__ volatile("mrs %0, fpcr" : "=r"(mode));
 	__asm__ volatile("msr fpcr, %0" : : "r"(mode | 1ul << 24)); // FZ
+#elif defined(__arm__)
+	unsigned mode;
+	__asm__ volatile("vmrs %0, fpscr" : "=r"(mode));
+	__asm__ volatile("vmsr fpscr, %0" : : "r"(mode | 1u << 24)); // FZ
 #endif
 }
 
@@ -29,6 +33,10 @@ static inline void host_mode_leave(void)
 	unsigned long mode;
 	__asm__ volatile("mrs %0, fpcr" : "=r"(mode));
 	__asm__ volatile("msr fpcr, %0" : : "r"(mode & ~(1ul << 24)));
+#elif defined(__arm__)
+	unsigned mode;
+	__asm__ volatile("vmrs %0, fpscr" : "=r"(mode));
+	__asm__ volatile("vmsr fpscr, %0" : : "r"(mode & ~(1u << 24)));
 #endif
 }
 

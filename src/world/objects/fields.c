@@ -178,6 +178,14 @@ scree_status upload_fields(scree_world* world)
 	return SCREE_OK;
 }
 
+// Returns the number whose bytes in memory are the lower half of x, then the upper half, on every processor.
+static Word64 low_first(Word64 x)
+{
+	Word halves[2] = {(Word)x, (Word)(x >> 32)};
+	memcpy(&x, halves, sizeof x);
+	return x;
+}
+
 uint64_t fields_hash(const scree_world* world)
 {
 	Word64 sum = 0;
@@ -186,6 +194,8 @@ uint64_t fields_hash(const scree_world* world)
 		if (!slots_in_use(&world->fields.slots, k))
 			continue;
 		Field row = field_row(world->fields.host + k);
+		row.category = low_first(row.category);
+		row.mask = low_first(row.mask);
 		Word words[sizeof row / sizeof(Word)];
 		memcpy(words, &row, sizeof row);
 		Word64 h = hash_word(hash_begin(HASH_FIELD, k), world->fields.host[k].def.disabled);
