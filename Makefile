@@ -8,8 +8,8 @@ build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libc
 	ocl-icd-libopencl1 pocl-opencl-icd
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
 web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs terser
-test_packages := $(view_packages) xvfb twm xdotool git clang-format-14 libcmocka-dev gnuplot-nox ffmpeg jq
-full_packages := $(web_packages) clang libclang-rt-14-dev chromium chromium-driver
+test_packages := $(view_packages) xvfb twm xdotool git clang-format libcmocka-dev gnuplot-nox ffmpeg jq
+full_packages := $(web_packages) clang libclang-rt-dev chromium chromium-driver
 
 help: ## print this list
 	@echo 'make TARGET, where TARGET is one of'
@@ -74,8 +74,8 @@ lists: ## write the tables of docs/scenes.md and docs/view.md, and the schema of
 	@tools/lists.sh build/tests
 
 format: ## format every C file
-	@tools/packages.sh git clang-format-14
-	@git ls-files --cached --others --exclude-standard '*.c' '*.h' | xargs clang-format-14 -i
+	@tools/packages.sh git clang-format
+	@git ls-files --cached --others --exclude-standard '*.c' '*.h' | xargs clang-format -i
 
 check: packages build ## run the tests that take seconds: documents, format, units; no scenes, no other presets
 	@ctest --preset release --label-exclude parity --parallel $(cores)

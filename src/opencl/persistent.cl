@@ -200,6 +200,9 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 	return true;
 }
 
+// fails to compile if the local memory of this kernel, the largest besides the tiles, exceeds LOCAL_LEAST
+typedef char persistent_fits[sizeof(SortMemory) + sizeof(Run) + 8 <= LOCAL_LEAST ? 1 : -1];
+
 // Executes the runs of a list. The list begins with PERSISTENT_HEADER ints. [0]: number of arrivals at barriers; [1]:
 // its value after the last launch; [2]: first run that all groups execute after runs of the first group alone. Then
 // follow `count` runs, at most one for each work-item of a group. A run may change the ends of later runs, so each

@@ -8,6 +8,9 @@ typedef struct // bodies of a tile in local memory
 	float4 moved[TILE_BODIES + 1];  // displacement x, y, rotation, inverse inertia
 } Tile;
 
+// fails to compile if a pass has more local memory than the host expects
+typedef char tile_fits[sizeof(Tile) + 4 * (TILE_COLUMNS + 1) <= TILE_MEMORY ? 1 : -1];
+
 // Loads a body, integrated up to pass q, into place k of a tile. resident: its index, plus TILE_PLAIN if it is plain.
 INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, LOCAL Tile* tile, int k)
 {
