@@ -253,10 +253,9 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	// PoCL compiles a kernel at its first launch, so unused kernels cost no time, and all worlds can share one program
 	bool resident = d->resident || d->device.compiles_at_launch;
 	bool own = rounding_setting != ROUNDING_DEVICE || !d->device.correct_division;
-	// calls save time only in PoCL; in Rusticl, llvmpipe crashes when it compiles a called function with a barrier
-	bool tiles = d->device.local_memory >= TILE_MEMORY, calls = d->device.compiles_at_launch;
+	bool tiles = d->device.local_memory >= TILE_MEMORY;
 	snprintf(program_options, sizeof program_options, "%s%s%s%s%s%s", resident ? " -DRESIDENT" : "",
-	         resident && tiles ? " -DTILES" : "", d->resident && !cpu ? " -DPERSISTENT" : "", calls ? " -DCALLS" : "",
+	         resident && tiles ? " -DTILES" : "", d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "",
 	         own ? " -DOWN_ROUNDING" : "", rounding_setting == ROUNDING_WORSE ? " -DWORSE_ROUNDING" : "");
 	TRY(context_open(d, program_options, options->opengl));
 	cl_int error;
@@ -279,6 +278,9 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 		TRY(kernel_create(d, "solve_end", KERNEL_GROUP, &d->solve_end));
 		if (tiles)
 			TRY(tiles_open(d));
+		else
+			log_sentence(SCREE_LOG_INFO, "%s has %zu bytes of local memory; the solver does without tiles.",
+			             d->device.about.name, d->device.local_memory);
 	}
 	TRY(primitives_open(d));
 
