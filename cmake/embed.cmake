@@ -5,8 +5,8 @@
 #
 # Includes are searched in src, then in ROOT. A header is inlined at its first include, a .def (a list of X lines) at
 # each of its includes. Each piece begins with a #line with file name and line, so that compiler messages name the
-# source. Comments are left out, and so are the headers that only the CPU uses (dialect/extremes.h,
-# dialect/box_overlaps.h, dialect/transpose.h). Text is always quoted and searched with FIND: if it were a list, CMake
+# source. Comments are left out, and so are the headers that only the CPU uses (platform/exact_floats.h,
+# dialect/extremes.h, dialect/box_overlaps.h, dialect/transpose.h). Text is always quoted and searched with FIND: if it were a list, CMake
 # would split it at semicolons and join elements at brackets.
 
 function(inline path out)
@@ -32,7 +32,7 @@ function(inline path out)
 
 		string(APPEND result "${before}")
 		get_property(seen GLOBAL PROPERTY inlined_${name})
-		if(NOT seen AND NOT name MATCHES "^dialect/(extremes|box_overlaps|transpose).h$")
+		if(NOT seen AND NOT name MATCHES "^(platform/exact_floats|dialect/(extremes|box_overlaps|transpose)).h$")
 			if(NOT name MATCHES "\\.def$")
 				set_property(GLOBAL PROPERTY inlined_${name} TRUE)
 			endif()

@@ -1,8 +1,21 @@
 # flags.cmake -- scree_flags(target): sets the compiler flags of every target of this project.
 
 # Equal bits need two roundings in a * b + c everywhere, so contraction is off. No stage reads errno or floating-point
-# exceptions, so the compiler may treat sqrt and divisions as pure. No other part of fast-math is safe.
-set(SCREE_FLOAT_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math)
+# exceptions, so the compiler may treat sqrt and divisions as pure. No other part of fast-math is safe. Flags of a parent
+# project come first, so each is undone by its name: after -ffinite-math-only, -fno-fast-math alone has no effect in gcc.
+# In clang, -fno-fast-math turns contraction on, so contraction comes last.
+set(SCREE_FLOAT_FLAGS -fno-fast-math -fno-associative-math -fno-reciprocal-math -fno-finite-math-only -fsigned-zeros)
+if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
+	# in clang, -fno-unsafe-math-optimizations would turn on floating-point exceptions
+	list(APPEND SCREE_FLOAT_FLAGS -fno-unsafe-math-optimizations -fno-rounding-math -fno-single-precision-constant)
+elseif(NOT EMSCRIPTEN)
+	list(APPEND SCREE_FLOAT_FLAGS -fdenormal-fp-math=ieee) # after -Ofast
+endif()
+list(APPEND SCREE_FLOAT_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math)
+# No file needs instructions that fuse; lanes16.c turns AVX-512 on again. Floats of 32-bit x86 use SSE2.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|i[3-6]86)$" AND NOT EMSCRIPTEN)
+	list(APPEND SCREE_FLOAT_FLAGS -mno-avx512f -mno-fma4 -mno-fma -msse2 -mfpmath=sse)
+endif()
 
 set(SCREE_LINK_FLAGS "")
 if(SCREE_SANITIZE)

@@ -2,6 +2,7 @@
 // block_item.h -- the values that an expression may use and that differ between the items of a block.
 #ifndef BLOCK_ITEM_H
 #define BLOCK_ITEM_H
+#include "platform/exact_floats.h"
 #include <stdint.h>
 
 typedef struct

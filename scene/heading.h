@@ -2,6 +2,7 @@
 // heading.h -- reads the title and the parameters of a scene file without loading the scene.
 #ifndef HEADING_H
 #define HEADING_H
+#include "platform/exact_floats.h"
 #include <stdbool.h>
 #include <stddef.h>
 

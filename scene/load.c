@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // load.c -- reads a scene file and checks all of it.
 #include "scene/load.h"
+#include "platform/processor.h"
 #include "scene/attribute_block.h"
 #include "scene/block_items.h"
 #include "scene/character.h"
@@ -193,6 +194,7 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 
 Scene* scene_load(const char* path, const SceneSetting* settings, int count, char* sentence)
 {
+	FLOAT_MODE_HERE;
 	json_t* root = reader_load(path, sentence);
 	if (!root)
 		return NULL;

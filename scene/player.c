@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // player.c -- the scene player: fills a world with a scene, and applies churn, characters and keys before each step.
 #include "scene/player.h"
+#include "platform/processor.h"
 #include "scene/build.h"
 #include "scene/churn.h"
 #include "scene/controls.h"
@@ -8,6 +9,7 @@
 
 scree_status player_fill(ScenePlayer* player, const Scene* scene, scree_world* world)
 {
+	FLOAT_MODE_HERE;
 	*player = (ScenePlayer){.scene = scene, .world = world};
 	double begin = seconds_now();
 	scree_status status = scene_build(scene, world);
@@ -17,6 +19,7 @@ scree_status player_fill(ScenePlayer* player, const Scene* scene, scree_world* w
 
 scree_status player_open(ScenePlayer* player, const Scene* scene, const scree_world_def* def)
 {
+	FLOAT_MODE_HERE;
 	*player = (ScenePlayer){0};
 	double begin = seconds_now();
 	scree_status status = scree_world_create(def, &player->world);
@@ -39,6 +42,7 @@ void player_close(ScenePlayer* player)
 
 scree_status player_change(ScenePlayer* player)
 {
+	FLOAT_MODE_HERE;
 	scree_status status = scene_churn(player->scene, player->world, player->steps);
 	if (status == SCREE_OK)
 		status = characters_move(&player->characters, player->world, player->steps, player->down);
@@ -47,6 +51,7 @@ scree_status player_change(ScenePlayer* player)
 
 scree_status player_advance(ScenePlayer* player)
 {
+	FLOAT_MODE_HERE;
 	scree_status status = scree_world_step(player->world, player->scene->dt, player->scene->substeps);
 	player->steps += status == SCREE_OK;
 	return status;
@@ -60,6 +65,7 @@ scree_status player_step(ScenePlayer* player)
 
 scree_status player_scan(ScenePlayer* player)
 {
+	FLOAT_MODE_HERE;
 	if (player->scene->fan_count == 0)
 		return SCREE_OK;
 	scree_status status = player->scan.scene ? SCREE_OK : scan_open(&player->scan, player->scene, player->world);

@@ -2,6 +2,7 @@
 // scene.h -- the contents of a scene file in memory. scenes/scene.schema.json describes the format of the file.
 #ifndef SCENE_H
 #define SCENE_H
+#include "platform/exact_floats.h"
 #include "scene/scene_keys.h"
 #include "scree/scree.h"
 #include <stdio.h>

@@ -2,6 +2,7 @@
 // scene_keys.h -- the keys of the keyboard that a scene may use, and their names in scene files.
 #ifndef SCENE_KEYS_H
 #define SCENE_KEYS_H
+#include "platform/exact_floats.h"
 
 typedef enum
 {

@@ -2,6 +2,7 @@
 // stage_times.h -- copies the times of the stages of a step to an array, and names them.
 #ifndef STAGE_TIMES_H
 #define STAGE_TIMES_H
+#include "platform/exact_floats.h"
 #include <scree/scree.h>
 
 enum // indices in stage_names and in the array of times

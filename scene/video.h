@@ -2,6 +2,7 @@
 // video.h -- writes frames to a video file through ffmpeg.
 #ifndef VIDEO_H
 #define VIDEO_H
+#include "platform/exact_floats.h"
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -2,6 +2,7 @@
 // viewport.h -- computes the part of a world that a picture shows.
 #ifndef VIEWPORT_H
 #define VIEWPORT_H
+#include "platform/exact_floats.h"
 #include "scree/scree.h"
 
 #define BAND   36 // px: height of the caption at the bottom of a picture

@@ -7,7 +7,8 @@ cd "$SCREE_SOURCE"
 
 # Folders in order, the lowest first; ARCHITECTURE.md describes them. Folders on one line do not include each other. A
 # line may also name single files of a folder: these files are above the other files of the folder.
-layers='platform dialect
+layers='platform/exact_floats
+platform dialect
 pools
 constraints
 stages/geometry
@@ -48,6 +49,7 @@ unpaired='^(opencl|stages|constraints|pools|dialect|cpu)/'
 # functions that are defined elsewhere, each with the reason
 elsewhere='backend/backend.h cpu_open     each device defines its own, in src/cpu/ and src/opencl/
 backend/backend.h cpu_devices    the same
+backend/backend.h cpu_self_test  src/cpu/self_test.c
 backend/backend.h opencl_open    the same; src/world/device/devices.c in a build without OpenCL
 backend/backend.h opencl_devices the same
 backend/backend.h opencl_hint  the same'

@@ -137,6 +137,10 @@ struct Backend
 scree_status cpu_open(const BackendOptions* options, Backend** backend);
 scree_status opencl_open(const BackendOptions* options, Backend** backend);
 
+// Computes about a thousand float operations with the code of each number of lanes, once per process. Fails with
+// SCREE_ERROR_NO_DEVICE and names the fault if a result is wrong. function: name of the caller, for the message.
+scree_status cpu_self_test(const char* function);
+
 // Fill up to `capacity` entries for scree_devices_get. Return the number of devices, which may exceed `capacity`.
 int cpu_devices(scree_device* devices, int capacity);
 int opencl_devices(scree_device* devices, int capacity);

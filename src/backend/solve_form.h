@@ -2,6 +2,7 @@
 // solve_form.h -- declares the forms of a solve on OpenCL devices, and the variable with which a test chooses one.
 #ifndef SOLVE_FORM_H
 #define SOLVE_FORM_H
+#include "platform/exact_floats.h"
 
 typedef enum
 {

@@ -11,7 +11,7 @@ INLINE Real vec_angle(Vec rotation)
 	Int steep = (y < x) == 0;
 	Real t = blend(quotient(y, x), quotient(x, y), steep);
 	Int large = t > splat(0.414f);
-	Real base = blend(splat(0.0f), splat(0.785398163f), large);
+	Real base = only(splat(0.785398163f), large);
 	t = blend(t, quotient(t - 1.0f, t + 1.0f), large);
 	Real q = t * t;
 	for (int k = 13; k >= 1; k -= 2)

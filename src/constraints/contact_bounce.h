@@ -8,7 +8,7 @@
 INLINE Body prepare_body(const Pools* p, Int index)
 {
 	Body b = body_gather(p, index);
-	b.v = vec_scale(vec_shrink(b.v, p->step.max_speed), b.v);
+	b.v = vec_limit(b.v, p->step.max_speed);
 	b.w = within(b.w, splat(p->step.max_spin));
 	return b;
 }
@@ -28,7 +28,7 @@ INLINE Approach prepare_velocities(const Pools* p, int i, const Contact* u)
 	Body a = prepare_body(p, at.ia), b = prepare_body(p, at.ib);
 	at.arms = pair_of(u, &a, &b);
 	for (int k = 0; k < 2; ++k)
-		at.speed[k] = pair_approach(at.arms, k, at.arms.n);
+		at.speed[k] = flush_tiny(pair_approach(at.arms, k, at.arms.n));
 	return at;
 }
 
@@ -52,10 +52,11 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 // acceleration during half a substep is added to the velocity before the impact and subtracted after it (bounce_speed).
 INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, Real fall, Real gap)
 {
-	Real before = velocity + 0.5f * step->h * fall, zero = splat(0.0f);
+	Real before = velocity + 0.5f * step->h * fall;
 	Real square = before * before - 2.0f * fall * gap;
-	Int bounces = (before < zero) & (square > splat(step->restitution_threshold * step->restitution_threshold));
-	return blend(zero, restitution * root(blend(splat(1.0f), square, bounces)), bounces);
+	Int bounces =
+	    (before <= splat(-TINY)) & (square > splat(step->restitution_threshold * step->restitution_threshold));
+	return only(flush_tiny(restitution * root(blend(splat(1.0f), square, bounces))), bounces);
 }
 
 // J: Returns the maximum energy of two bodies after a bounce: their relative kinetic energy at impact, with an upper
@@ -64,8 +65,8 @@ INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Re
 {
 	Real zero = splat(0.0f), one = splat(1.0f), safe = blend(one, e, e > zero);
 	Real meet1 = quotient(rebound1, safe), meet2 = quotient(rebound2, safe);
-	Real more1 = blend(zero, meet1 * meet1 - speed[0] * speed[0], rebound1 > zero),
-	     more2 = blend(zero, meet2 * meet2 - speed[1] * speed[1], rebound2 > zero);
+	Real more1 = only(meet1 * meet1 - speed[0] * speed[0], rebound1 > zero),
+	     more2 = only(meet2 * meet2 - speed[1] * speed[1], rebound2 > zero);
 	// restitution above 1 adds energy on purpose
 	Real energy = (pair_energy(c) + pair_gained(c, more1, more2)) * maximum(one, e * e);
 	return blend(splat(MOST_FLOAT), energy, energy <= splat(MOST_FLOAT));
@@ -87,9 +88,9 @@ INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 		{
 			Vec fall_a = prepare_acceleration(p, at.ia, at.arms.a), fall_b = prepare_acceleration(p, at.ib, at.arms.b);
 			Real falls = vec_dot(vec_sub(fall_b, fall_a), at.arms.n);
-			fall = blend(zero, falls, nears & (falls >= splat(-MOST_FALL)) & (falls <= splat(MOST_FALL)));
-			rebound1 = blend(zero, prepare_rebound(&p->step, e, at.speed[0], fall, u->separation1), nears);
-			rebound2 = blend(zero, prepare_rebound(&p->step, e, at.speed[1], fall, u->separation2), nears);
+			fall = only(falls, nears & (falls >= splat(-MOST_FALL)) & (falls <= splat(MOST_FALL)));
+			rebound1 = only(prepare_rebound(&p->step, e, at.speed[0], fall, u->separation1), nears);
+			rebound2 = only(prepare_rebound(&p->step, e, at.speed[1], fall, u->separation2), nears);
 			energy = prepare_energy(&at.arms, e, at.speed, rebound1, rebound2);
 		}
 	}
@@ -104,8 +105,8 @@ INLINE void prepare_approach(const Pools* p, int i, const Contact* u)
 {
 	Approach at = prepare_velocities(p, i, u);
 	Real zero = splat(0.0f), speed1 = -at.speed[0], speed2 = -at.speed[1];
-	store(&contact_rare(p, approach1, i), 0, blend(zero, speed1, (speed1 > zero) & (speed1 <= splat(MOST_FLOAT))));
-	store(&contact_rare(p, approach2, i), 0, blend(zero, speed2, (speed2 > zero) & (speed2 <= splat(MOST_FLOAT))));
+	store(&contact_rare(p, approach1, i), 0, only(speed1, (speed1 > zero) & (speed1 <= splat(MOST_FLOAT))));
+	store(&contact_rare(p, approach2, i), 0, only(speed2, (speed2 > zero) & (speed2 <= splat(MOST_FLOAT))));
 }
 
 // Computes the prepared rare rows. The rows of padding stay 0.

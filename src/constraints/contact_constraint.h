@@ -152,6 +152,9 @@ INLINE Real pair_mass(const ContactArms* c, int k, Vec n)
 	return body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], n);
 }
 
+// m/s, rad/s: Returns a speed before an effective mass multiplies it (HEAVY_MASS).
+INLINE Real pair_speed(const Step* step, Real speed) { return step->heavy ? flush_tiny(speed) : speed; }
+
 typedef struct // goal of a point's impulse: velocity bias, m/s; softness as in the struct Softness
 {
 	Real bias, mass_scale, impulse_scale;
@@ -163,11 +166,11 @@ typedef struct // goal of a point's impulse: velocity bias, m/s; softness as in 
 // firm.
 INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exact)
 {
-	Int apart = s > splat(0.0f);
+	Int apart = s >= splat(TINY);
 
 	// speculative contact (s > 0): the point gets an impulse only if its gap would close within the substep
 	PairGoal goal;
-	goal.bias = blend(splat(0.0f), s * step->inv_h, apart);
+	goal.bias = only(s * step->inv_h, apart);
 	goal.mass_scale = splat(1.0f);
 	goal.impulse_scale = splat(0.0f);
 	if (!soft)
@@ -194,7 +197,7 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 // Returns whether a point that will bounce (rebound > 0) has a gap (s > 0) and no impulse so far (old = 0).
 INLINE Int pair_waits(Real s, Real old, Real rebound)
 {
-	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
+	return (s >= splat(TINY)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
 #define PAIR_OWN 0.001f // two points nearly coincide if 1 - pair_cross^2 * (product of effective masses) is below this
@@ -224,7 +227,8 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 		lever_a[k] = vec_cross(c->ra[k], c->n);
 		lever_b[k] = vec_cross(c->rb[k], c->n);
 		Real approach = vec_dot(vec_sub(c->b.v, c->a.v), c->n) + (c->b.w * lever_b[k] - c->a.w * lever_a[k]);
-		change[k] = -mass[k] * (goal.mass_scale * approach + goal.bias) - goal.impulse_scale * impulse[k];
+		Real lack = pair_speed(step, goal.mass_scale * approach + goal.bias);
+		change[k] = -mass[k] * lack - goal.impulse_scale * impulse[k];
 		yield[k] = mass[k] * goal.mass_scale;
 		if (step->bounces && !soft)
 		{
@@ -239,7 +243,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 
 	// change of the second impulse if both points push, limited so that this impulse is not negative; then the first
 	// point is solved with this change, and the second again with the change of the first
-	Real second = blend(zero, quotient(change[1] - by0 * change[0], own), own > splat(PAIR_OWN));
+	Real second = only(quotient(change[1] - by0 * change[0], own), own > splat(PAIR_OWN));
 	Real first = push_of(impulse[0] + (change[0] - by1 * maximum(second, -impulse[1]))) - impulse[0];
 	second = push_of(impulse[1] + (change[1] - by0 * first)) - impulse[1];
 	impulse[0] = impulse[0] + first;
@@ -253,9 +257,9 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 
 // Solves the friction of one point, and returns its new tangent impulse. limit, N s: Coulomb's limit, from the normal
 // impulse of the relax pass; speed: tangent speed of the surfaces, m/s; old: previous tangent impulse.
-INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limit, Real old)
+INLINE Real pair_tangent(const Step* step, ContactArms* c, int k, Real mass, Real speed, Real limit, Real old)
 {
-	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
+	Real impulse = grip_of(old - mass * pair_speed(step, pair_approach(*c, k, c->t) + speed), limit);
 	body_push(&c->a, c->ra[k], &c->b, c->rb[k], vec_scale(impulse - old, c->t));
 	return impulse;
 }
@@ -265,10 +269,10 @@ INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limi
 INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
-	Real mass = blend(splat(0.0f), quotient(1.0f, inertia), inertia > splat(0.0f));
+	Real mass = only(quotient(1.0f, inertia), inertia > splat(0.0f));
 	Real limit = minimum(load(&contact_rare(p, rolling, i), 0) * weight, splat(MOST_IMPULSE));
 	Real old = load(&contact_rare(p, rolling_impulse, i), 0);
-	Real impulse = grip_of(old - mass * (c->b.w - c->a.w), limit);
+	Real impulse = grip_of(old - mass * pair_speed(&p->step, c->b.w - c->a.w), limit);
 	c->a.w = c->a.w - c->a.inv_inertia * (impulse - old);
 	c->b.w = c->b.w + c->b.inv_inertia * (impulse - old);
 	store(&contact_rare(p, rolling_impulse, i), 0, impulse);
@@ -310,8 +314,8 @@ INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap
                       Real* normal1, Real* normal2)
 {
 	Real zero = splat(0.0f), delta1, delta2;
-	Real lack1 = -(pair_approach(*c, 0, c->n) + maximum(gap1, zero) * p->step.inv_h),
-	     lack2 = -(pair_approach(*c, 1, c->n) + maximum(gap2, zero) * p->step.inv_h);
+	Real lack1 = flush_tiny(-(pair_approach(*c, 0, c->n) + maximum(gap1, zero) * p->step.inv_h)),
+	     lack2 = flush_tiny(-(pair_approach(*c, 1, c->n) + maximum(gap2, zero) * p->step.inv_h));
 	pair_joint(c, mass1, mass2, lack1, lack2, &delta1, &delta2);
 	Int meet = (load(&contact_rare(p, rebound1, i), 0) > zero) & (load(&contact_rare(p, rebound2, i), 0) > zero);
 	Real new1 = *normal1 + delta1, new2 = *normal2 + delta2;
@@ -343,8 +347,8 @@ INLINE Real pair_energy(const ContactArms* c)
 	Vec a = vec_blend(body_velocity_at(c->a, c->ra[0]), c->a.v, moves_a),
 	    b = vec_blend(body_velocity_at(c->b, c->rb[0]), c->b.v, moves_b), v = vec_sub(b, a);
 	Real energy = quotient(vec_dot(v, v), blend(one, mass, mass > zero));
-	energy = energy + blend(zero, quotient(c->a.w * c->a.w, blend(one, c->a.inv_inertia, turns_a)), turns_a);
-	energy = energy + blend(zero, quotient(c->b.w * c->b.w, blend(one, c->b.inv_inertia, turns_b)), turns_b);
+	energy = energy + only(quotient(c->a.w * c->a.w, blend(one, c->a.inv_inertia, turns_a)), turns_a);
+	energy = energy + only(quotient(c->b.w * c->b.w, blend(one, c->b.inv_inertia, turns_b)), turns_b);
 	return 0.5f * energy;
 }
 
@@ -366,10 +370,11 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 	Real yields = quotient(impulse1 * impulse1, blend(one, mass[0], mass[0] > zero)) +
 	              quotient(impulse2 * impulse2, blend(one, mass[1], mass[1] > zero)) +
 	              2.0f * pair_cross(c) * impulse1 * impulse2;
-	Real left = maximum(most - pair_energy(c), zero);
-	Int more = (slope + 0.5f * yields > left) & (yields > zero);
-	Real square = slope * slope + 2.0f * yields * left;
-	Real part = quotient(root(blend(zero, square, more & (square > zero))) - slope, blend(one, yields, more));
+	Real left = maximum(flush_below(most - pair_energy(c), ABSORBS), zero);
+	Int more = (slope + 0.5f * yields > left) & (yields >= splat(ABSORBS));
+	// the positive root of yields / 2 part^2 + slope part = left
+	Real safe = blend(one, yields, more), down = quotient(slope, safe);
+	Real part = root(only(down * down + quotient(2.0f * left, safe), more)) - down;
 	return blend(one, minimum(maximum(part, zero), one), more);
 }
 
@@ -383,10 +388,10 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	Real total1 = load(&contact_rare(p, total_impulse1, i), 0), total2 = load(&contact_rare(p, total_impulse2, i), 0);
 	Int hit1 = (rebound1 > zero) & (total1 > zero), hit2 = (rebound2 > zero) & (total2 > zero);
 	Real leave1 = bounce_speed(&p->step, rebound1, fall, gap1), leave2 = bounce_speed(&p->step, rebound2, fall, gap2);
-	Real speed[2] = {pair_approach(*c, 0, c->n), pair_approach(*c, 1, c->n)}, mass[2] = {mass1, mass2};
-	Real lack1 = leave1 - speed[0], lack2 = leave2 - speed[1];
-	Real alone1 = blend(zero, push_of(mass1 * lack1), hit1);
-	Real alone2 = blend(zero, push_of(mass2 * lack2), hit2);
+	Real speed[2] = {flush_tiny(pair_approach(*c, 0, c->n)), flush_tiny(pair_approach(*c, 1, c->n))};
+	Real lack1 = flush_tiny(leave1 - speed[0]), lack2 = flush_tiny(leave2 - speed[1]), mass[2] = {mass1, mass2};
+	Real alone1 = only(push_of(mass1 * lack1), hit1);
+	Real alone2 = only(push_of(mass2 * lack2), hit2);
 	Real impulse1, impulse2;
 	pair_joint(c, mass1, mass2, lack1, lack2, &impulse1, &impulse2);
 	Int push1 = impulse1 > zero, push2 = impulse2 > zero;
@@ -394,8 +399,8 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	impulse2 = blend(alone2, push_of(impulse2), hit1 & hit2 & push1);
 
 	// `most` includes the change of speeds by gravity since the bounce (bounce_speed), which is no gain of energy
-	Real more1 = blend(zero, leave1 * leave1 - rebound1 * rebound1, hit1),
-	     more2 = blend(zero, leave2 * leave2 - rebound2 * rebound2, hit2);
+	Real more1 = only(leave1 * leave1 - rebound1 * rebound1, hit1),
+	     more2 = only(leave2 * leave2 - rebound2 * rebound2, hit2);
 	Real most = load(&contact_rare(p, energy, i), 0) + pair_gained(c, more1, more2);
 	Real part = pair_share(c, most, speed, mass, impulse1, impulse2);
 	impulse1 = push_of(part * impulse1);
@@ -453,9 +458,11 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 
 	// friction is limited by impulses of relax: those of bias also push overlaps apart, which causes no friction
 	Real mass = held ? u->tangent_mass1 : pair_mass(c, 0, c->t);
-	u->tangent_impulse1 = pair_tangent(c, 0, mass, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
+	u->tangent_impulse1 =
+	    pair_tangent(&p->step, c, 0, mass, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
 	mass = held ? u->tangent_mass2 : pair_mass(c, 1, c->t);
-	u->tangent_impulse2 = pair_tangent(c, 1, mass, speed, u->friction * u->normal_impulse2, u->tangent_impulse2);
+	u->tangent_impulse2 =
+	    pair_tangent(&p->step, c, 1, mass, speed, u->friction * u->normal_impulse2, u->tangent_impulse2);
 	if (p->step.has_rolling)
 		pair_roll(p, i, c, u->normal_impulse1 + u->normal_impulse2);
 	if (STEP_RARE(p->step))

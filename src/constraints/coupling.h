@@ -53,9 +53,9 @@ OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose*
 	Vec none = vec(zero, zero);
 	c->axis_a = vec_blend(none, vec_scale(-ratio, a.direction), sound);
 	c->axis[0] = vec_blend(c->axis[0], vec_blend(none, b.direction, sound), c->coupled);
-	c->lever_a[0] = blend(c->lever_a[0], blend(zero, -ratio * a.lever, sound), c->coupled);
-	c->lever_b[0] = blend(c->lever_b[0], blend(zero, b.lever, sound), c->coupled);
-	c->value[0] = blend(c->value[0], blend(zero, value, sound), c->coupled);
+	c->lever_a[0] = blend(c->lever_a[0], only(-ratio * a.lever, sound), c->coupled);
+	c->lever_b[0] = blend(c->lever_b[0], only(b.lever, sound), c->coupled);
+	c->value[0] = blend(c->value[0], only(value, sound), c->coupled);
 	c->given_a = vec(load(&joint_rare(p, given_a_x, i), 0), load(&joint_rare(p, given_a_y, i), 0));
 }
 

@@ -249,7 +249,7 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 	if (!p->step.has_drives || !lane_bits(limited))
 		return zero;
 	Real lower = load(&joint_drive_row(p, k, lower, i), 0), upper = load(&joint_drive_row(p, k, upper, i), 0);
-	return blend(zero, value - minimum(maximum(value, lower), upper), limited);
+	return only(value - minimum(maximum(value, lower), upper), limited);
 }
 
 // Shortens the arm of body a if locks or limits have errors above JOINT_FAR. Normally the arm ends at the anchor of
@@ -313,9 +313,9 @@ OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	{
 		c->lever_a[k] = vec_cross(c->arm_a, c->axis[k]);
 		c->lever_b[k] = vec_cross(c->arm_b, c->axis[k]);
-		c->value[k] = vec_dot(d, c->axis[k]);
+		c->value[k] = flush_tiny(vec_dot(d, c->axis[k]));
 	}
-	c->value[JOINT_ANGLE] = blend(splat(0.0f), angle, sound);
+	c->value[JOINT_ANGLE] = only(flush_tiny(angle), sound);
 	c->mass = a->inv_mass + b->inv_mass;
 	joint_alone(c);
 	joint_shorten_arm(p, i, u, c);
@@ -335,9 +335,11 @@ INLINE Real joint_speed_linear(const JointPose* c, int k)
 INLINE Real joint_speed(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)
-		return joint_speed_linear(c, k);
+		return flush_tiny(joint_speed_linear(c, k));
 	Real speed = c->b.w - c->a.w;
-	return c->rails ? blend(speed, speed - c->bend * joint_speed_linear(c, JOINT_ALONG), c->railed) : speed;
+	if (c->rails)
+		speed = blend(speed, speed - c->bend * joint_speed_linear(c, JOINT_ALONG), c->railed);
+	return flush_tiny(speed);
 }
 
 INLINE Real joint_yield_linear(const JointPose* c, int k)
@@ -353,7 +355,7 @@ INLINE Real joint_yield_linear(const JointPose* c, int k)
 // 1/(kg m): Returns the change of the angle's speed by a unit impulse along or across, for a joint without a path.
 INLINE Real joint_yield_turning(const JointPose* c, int k)
 {
-	return c->a.inv_inertia * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k];
+	return flush_element(c->a.inv_inertia * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k]);
 }
 
 // 1/kg, 1/(kg m^2): Returns the yield of coordinate k: speed change by a unit impulse, the inverse effective mass.
@@ -417,7 +419,12 @@ INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 	c->given_a = vec_blend(c->given_a, then.given_a, wanted);
 }
 
-// Returns x, an impulse of either sign; 0 if x is NaN or its absolute value exceeds MOST_IMPULSE.
-INLINE Real bounded_impulse(Real x) { return blend(splat(0.0f), x, absolute(x) <= splat(MOST_IMPULSE)); }
+// Returns an impulse of coordinate k, as bounded_impulse; beside heavy bodies also 0 if it changes the speed of the
+// coordinate by less than TINY. yield: joint_yield of the coordinate.
+INLINE Real joint_bounded(const Step* step, Real impulse, Real yield)
+{
+	impulse = bounded_impulse(impulse);
+	return step->heavy ? only(impulse, absolute(impulse) * yield >= splat(TINY)) : impulse;
+}
 
 #endif

@@ -54,19 +54,19 @@ INLINE Word joint_drives(const Pools* p, const Joint* u, int k)
 INLINE Real joint_drive_sum(const JointDrive* d) { return d->spring_impulse + d->motor_impulse + d->limit_impulse; }
 
 // Returns the impulse of a spring in the bias pass (joint_spring.h).
-INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error)
+INLINE Real joint_spring(const Step* step, const JointDrive* d, Real yield, Real speed, Real error)
 {
 	Real change =
 	    quotient(-(d->spring_answer * speed + d->spring_rate * error), yield) - d->spring_keeps * d->spring_impulse;
-	return bounded_impulse(d->spring_impulse + change);
+	return joint_bounded(step, d->spring_impulse + change, yield);
 }
 
 // Returns a spring's impulse in relax. An impulse at its bound stays: only bias computes the excess over the bound.
-INLINE Real joint_spring_relaxed(const JointDrive* d, Real yield, Real speed, Int full)
+INLINE Real joint_spring_relaxed(const Step* step, const JointDrive* d, Real yield, Real speed, Int full)
 {
 	Real old = d->spring_impulse;
 	full = full | (old <= d->spring_least) | (old >= d->spring_most);
-	return blend(bounded_impulse(old - quotient(d->spring_relaxes * speed, yield)), old, full);
+	return blend(joint_bounded(step, old - quotient(d->spring_relaxes * speed, yield), yield), old, full);
 }
 
 INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
@@ -107,7 +107,7 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, 
 	Real yields = blend(soft ? d->limit_soft : zero, zero, s > zero);
 	Real old = maximum(sign * d->limit_impulse, zero);
 	Real back = sign * speed + joint_limit_speed(p, d, k, s, soft) + yields * yield * joint_limit_load(d, sign, old);
-	return sign * push_of(old - quotient(back, yield + yields * yield));
+	return sign * maximum(joint_bounded(&p->step, old - quotient(back, yield + yields * yield), yield), zero);
 }
 
 // Returns the target speed of a motor: the user's speed, reduced so that it does not lead through the nearer limit.
@@ -134,20 +134,21 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 	if (p->step.springs && lane_bits(joint_has(u, JOINT_SPRING(k))))
 	{
 		Int spring = joint_has(u, JOINT_SPRING(k)) & yields;
-		Real pull = soft ? joint_spring(&d, safe, speed, c->value[k] - d.target)
-		                 : joint_spring_relaxed(&d, safe, speed, full & together);
-		d.spring_impulse = blend(zero, blend(joint_spring_bounded(&d, pull), pull, together), spring);
+		Real pull = soft ? joint_spring(&p->step, &d, safe, speed, c->value[k] - d.target)
+		                 : joint_spring_relaxed(&p->step, &d, safe, speed, full & together);
+		d.spring_impulse = only(blend(joint_spring_bounded(&d, pull), pull, together), spring);
 		speed = blend(speed, speed + yield * (d.spring_impulse - old.spring_impulse), spring);
 	}
 	if (lane_bits(joint_has(u, JOINT_MOTOR(k))))
 	{
-		Real drive = bounded_impulse(d.motor_impulse -
-		                             quotient(speed - joint_motor_speed(p, &d, k, c->value[k], limit, soft), safe));
-		d.motor_impulse = blend(zero, blend(grip_of(drive, d.motor_most), drive, together), motor);
+		Real drive = joint_bounded(
+		    &p->step, d.motor_impulse - quotient(speed - joint_motor_speed(p, &d, k, c->value[k], limit, soft), safe),
+		    safe);
+		d.motor_impulse = only(blend(grip_of(drive, d.motor_most), drive, together), motor);
 		speed = blend(speed, speed + yield * (d.motor_impulse - old.motor_impulse), motor);
 	}
 	if (lane_bits(joint_has(u, JOINT_LIMITED(k))))
-		d.limit_impulse = blend(zero, joint_limit(p, &d, k, safe, speed, c->value[k], soft), limit);
+		d.limit_impulse = only(joint_limit(p, &d, k, safe, speed, c->value[k], soft), limit);
 	joint_drive_store(p, i, k, &d);
 	Real change = joint_drive_sum(&d) - joint_drive_sum(&old);
 	JointImpulse j = joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,
@@ -155,11 +156,14 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 	joint_give_where(u, c, j, joint_has(u, JOINT_HAS_DRIVES(k)));
 }
 
+#define JOINT_MOST_SHARE 1.0e15f // maximum of joint_share
+
 // Returns impulse / most, limited so that its square is finite; 0 if `most` is 0.
 INLINE Real joint_share(Real impulse, Real most)
 {
 	Int there = most > splat(0.0f);
-	return blend(splat(0.0f), within(quotient(impulse, blend(splat(1.0f), most, there)), splat(1.0e15f)), there);
+	Real share = within(quotient(impulse, blend(splat(1.0f), most, there)), splat(JOINT_MOST_SHARE));
+	return only(flush_tiny(share), there);
 }
 
 // Shortens the impulse (x, y) to the ellipse with the half axes most_x and most_y, if the impulse is outside. Sets a
@@ -171,8 +175,10 @@ INLINE void joint_shorten(Real* x, Real* y, Real most_x, Real most_y)
 	Real square = share_x * share_x + share_y * share_y;
 	Int beyond = square > one;
 	Real back = quotient(one, root(blend(one, square, beyond)));
-	*x = blend(zero, blend(*x, back * share_x * most_x, beyond), most_x > zero);
-	*y = blend(zero, blend(*y, back * share_y * most_y, beyond), most_y > zero);
+	Real short_x = flush_tiny(back * within(*x, JOINT_MOST_SHARE * most_x)),
+	     short_y = flush_tiny(back * within(*y, JOINT_MOST_SHARE * most_y));
+	*x = only(blend(*x, short_x, beyond), most_x > zero);
+	*y = only(blend(*y, short_y, beyond), most_y > zero);
 }
 
 // Bounds the two springs along and across by an ellipse, and the two motors by another, in joints with JOINT_ELLIPTIC.

@@ -50,7 +50,7 @@ INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Re
 		return;
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		softness[k] = blend(zero, load(&joint_drive_row(p, k, spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(k)));
+		softness[k] = only(load(&joint_drive_row(p, k, spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(k)));
 }
 
 INLINE Int joint_springs_alone(const Pools* p, int i)
@@ -66,7 +66,7 @@ INLINE Int joint_springs_alone(const Pools* p, int i)
 INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const JointPose* c, const Real speed[3],
                                JointSystem* s)
 {
-	Real zero = splat(0.0f), one = splat(1.0f), pull[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
+	Real one = splat(1.0f), pull[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
 	Real own[3], other[3], cross[3];
 	Int rigid[3], springs = joint_springs_alone(p, i);
 	joint_crosses(c, cross);
@@ -87,12 +87,12 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		Real answer = quotient(one, one + s->softness[k]), kept = s->softness[k] * answer;
-		s->goal[k] = blend(s->goal[k], -(answer * speed[k] + kept * (own[k] * pull[k] + other[k])), rigid[k]);
+		s->goal[k] = blend(s->goal[k], -flush_tiny(answer * speed[k] + kept * (own[k] * pull[k] + other[k])), rigid[k]);
 		s->yield[k] = blend(s->yield[k], own[k], rigid[k]);
 	}
-	s->cross[0] = blend(s->cross[0], blend(zero, cross[0], s->locked[0] & s->locked[1]), rigid[0] | rigid[1]);
-	s->cross[1] = blend(s->cross[1], blend(zero, cross[1], s->locked[0] & s->locked[2]), rigid[0] | rigid[2]);
-	s->cross[2] = blend(s->cross[2], blend(zero, cross[2], s->locked[1] & s->locked[2]), rigid[1] | rigid[2]);
+	s->cross[0] = blend(s->cross[0], only(cross[0], s->locked[0] & s->locked[1]), rigid[0] | rigid[1]);
+	s->cross[1] = blend(s->cross[1], only(cross[1], s->locked[0] & s->locked[2]), rigid[0] | rigid[2]);
+	s->cross[2] = blend(s->cross[2], only(cross[2], s->locked[1] & s->locked[2]), rigid[1] | rigid[2]);
 }
 
 // Returns the equations of the locks without goals, which depend on velocities. Free coordinates have rows of the
@@ -113,7 +113,7 @@ OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chaine
 	{
 		Real own = joint_yield(c, k), toward = rate[k] * error[k];
 		s.locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
-		softness[k] = blend(zero, softness[k], s.locked[k]);
+		softness[k] = only(softness[k], s.locked[k]);
 		softer[k] = joint_softer(softness[k], own);
 		s.toward[k] = blend(within(toward, most[k]), toward, joint_has(u, JOINT_SOFT(k)));
 		s.yield[k] = blend(one, own + softer[k], s.locked[k]);
@@ -126,12 +126,12 @@ OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chaine
 	s.back[0] = softer[0] * impulse[0] + softer01 * impulse[1] + softer02 * impulse[2];
 	s.back[1] = softer01 * impulse[0] + softer[1] * impulse[1] + softer12 * impulse[2];
 	s.back[2] = softer02 * impulse[0] + softer12 * impulse[1] + softer[2] * impulse[2];
-	s.soft_cross[0] = blend(zero, softer01, s.locked[0] & s.locked[1]);
-	s.soft_cross[1] = blend(zero, softer02, s.locked[0] & s.locked[2]);
-	s.soft_cross[2] = blend(zero, softer12, s.locked[1] & s.locked[2]);
-	s.cross[0] = blend(zero, cross[0] + softer01, s.locked[0] & s.locked[1]);
-	s.cross[1] = blend(zero, cross[1] + softer02, s.locked[0] & s.locked[2]);
-	s.cross[2] = blend(zero, cross[2] + softer12, s.locked[1] & s.locked[2]);
+	s.soft_cross[0] = only(softer01, s.locked[0] & s.locked[1]);
+	s.soft_cross[1] = only(softer02, s.locked[0] & s.locked[2]);
+	s.soft_cross[2] = only(softer12, s.locked[1] & s.locked[2]);
+	s.cross[0] = only(cross[0] + softer01, s.locked[0] & s.locked[1]);
+	s.cross[1] = only(cross[1] + softer02, s.locked[0] & s.locked[2]);
+	s.cross[2] = only(cross[2] + softer12, s.locked[1] & s.locked[2]);
 	return s;
 }
 
@@ -143,7 +143,8 @@ INLINE void joint_goals(int soft, const JointPose* c, JointSystem* s, Real speed
 		speed[k] = joint_speed(c, k);
 		if (soft)
 			speed[k] = speed[k] + s->toward[k];
-		s->goal[k] = blend(splat(0.0f), -(soft ? speed[k] + s->back[k] : speed[k]), s->locked[k]);
+		Real goal = flush_tiny(soft ? speed[k] + s->back[k] : speed[k]);
+		s->goal[k] = only(-goal, s->locked[k]);
 	}
 }
 
@@ -166,18 +167,19 @@ INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
 {
 	JointFactors f;
 	f.first = s->yield[0];
-	f.l01 = quotient(s->cross[0], s->yield[0]);
-	f.l02 = quotient(s->cross[1], s->yield[0]);
+	f.l01 = flush_below(quotient(s->cross[0], s->yield[0]), ABSORBS);
+	f.l02 = flush_below(quotient(s->cross[1], s->yield[0]), ABSORBS);
 	f.d1 = blend(splat(1.0f), maximum(s->yield[1] - f.l01 * s->cross[0], mass), s->locked[1]);
 	Real rest = s->cross[2] - f.l01 * s->cross[1];
-	f.l12 = quotient(rest, f.d1);
+	f.l12 = flush_below(quotient(rest, f.d1), ABSORBS);
 	f.d2 = maximum((s->yield[2] - f.l02 * s->cross[1]) - f.l12 * rest, splat(JOINT_LEAST_YIELD) * s->yield[2]);
 	return f;
 }
 
 INLINE void joint_solve(const JointFactors* f, const Real goal[3], Real x[3])
 {
-	Real y1 = goal[1] - f->l01 * goal[0], y2 = (goal[2] - f->l02 * goal[0]) - f->l12 * y1;
+	Real y1 = flush_tiny(goal[1] - f->l01 * goal[0]);
+	Real y2 = flush_tiny((goal[2] - f->l02 * goal[0]) - f->l12 * y1);
 	x[2] = quotient(y2, f->d2);
 	x[1] = quotient(y1, f->d1) - f->l12 * x[2];
 	x[0] = (quotient(goal[0], f->first) - f->l01 * x[1]) - f->l02 * x[2];

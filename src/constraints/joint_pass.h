@@ -16,12 +16,15 @@
 
 // Adds x to the impulses of the locks, clears the impulses of other coordinates, and applies the changes. turns: lanes
 // with a lock of the angle.
-INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
+INLINE void joint_hold(const Step* step, Joint* u, JointPose* c, const Real x[3], Int turns)
 {
-	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
-	u->impulse_along = blend(zero, bounded_impulse(old[0] + x[0]), joint_has(u, JOINT_LOCKED(0)));
-	u->impulse_across = blend(zero, bounded_impulse(old[1] + x[1]), joint_has(u, JOINT_LOCKED(1)));
-	u->impulse_angle = blend(zero, bounded_impulse(old[2] + x[2]), turns);
+	Real old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle}, now[3];
+	UNROLL
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		now[k] = joint_bounded(step, old[k] + x[k], joint_yield(c, k));
+	u->impulse_along = only(now[0], joint_has(u, JOINT_LOCKED(0)));
+	u->impulse_across = only(now[1], joint_has(u, JOINT_LOCKED(1)));
+	u->impulse_angle = only(now[2], turns);
 	joint_give(u, c,
 	           joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
 }
@@ -34,11 +37,10 @@ typedef struct // kg m^2: inertia that the pull of a joint adds to its bodies in
 // Returns the pull of a joint; 0 unless rigid locks hold both translations. push: N s, impulse on body b.
 INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, Vec push)
 {
-	Real zero = splat(0.0f);
 	Int holds = joint_upright(u);
 	JointPull pull;
-	pull.a = blend(zero, -p->step.h * vec_dot(c->arm_a, push), holds);
-	pull.b = blend(zero, p->step.h * vec_dot(c->arm_b, push), holds);
+	pull.a = only(-p->step.h * vec_dot(c->arm_a, push), holds);
+	pull.b = only(p->step.h * vec_dot(c->arm_b, push), holds);
 	return pull;
 }
 
@@ -72,18 +74,18 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 		                   c->b.inv_mass * (absolute(j.push.x) + absolute(j.push.y)),
 		               c->coupled);
 	Real spins = absolute(c->a.inv_inertia * j.angular_a) + absolute(c->b.inv_inertia * j.angular_b);
-	Real shares = maximum(quotient(faster, most), quotient(spins, spin));
+	Real shares = flush_tiny(maximum(quotient(faster, most), quotient(spins, spin)));
 	Real allowed = maximum(splat(JOINT_BLOW), splat(JOINT_CARRIES) * u->carried);
 	Int sound = (faster <= splat(MOST_FLOAT)) & (spins <= splat(MOST_FLOAT));
-	Real part = blend(splat(0.0f), blend(splat(1.0f), quotient(allowed, shares), shares > allowed), sound);
-	u->carried = blend(splat(0.0f), minimum(shares, allowed), sound);
+	Real part = only(blend(splat(1.0f), quotient(allowed, shares), shares > allowed), sound);
+	u->carried = only(minimum(shares, allowed), sound);
 	if (lane_bits(part < splat(1.0f)))
 	{
 		joint_scale(p, i, u, part);
 		j.push = vec_blend(vec(splat(0.0f), splat(0.0f)), vec_scale(part, j.push), part > splat(0.0f));
 		j.push_a = vec_blend(vec(splat(0.0f), splat(0.0f)), vec_scale(part, j.push_a), part > splat(0.0f));
-		j.angular_a = blend(splat(0.0f), part * j.angular_a, part > splat(0.0f));
-		j.angular_b = blend(splat(0.0f), part * j.angular_b, part > splat(0.0f));
+		j.angular_a = only(part * j.angular_a, part > splat(0.0f));
+		j.angular_b = only(part * j.angular_b, part > splat(0.0f));
 	}
 	joint_give(u, c, j);
 }
@@ -161,8 +163,8 @@ INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 	Real turn = p->step.h * c->bend * along, yield = joint_yield_linear(c, JOINT_ALONG);
 	Int pulled = c->railed & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) & (yield > zero) &
 	             (absolute(across) > splat(JOINT_BENDS) * absolute(turn * along)) & (absolute(turn) < splat(1.0f));
-	Real impulse = bounded_impulse(quotient(-(turn * across), blend(splat(1.0f), yield, pulled)));
-	joint_give_where(u, c, joint_impulse(c, blend(zero, impulse, pulled), zero, zero), pulled);
+	Real impulse = joint_bounded(&p->step, quotient(-(turn * across), blend(splat(1.0f), yield, pulled)), yield);
+	joint_give_where(u, c, joint_impulse(c, only(impulse, pulled), zero, zero), pulled);
 }
 
 typedef struct // the part of a pass that depends on the positions of the bodies, and not on their velocities
@@ -211,7 +213,7 @@ INLINE void joint_locks(const Pools* p, int pass, int i, JointReady* ready, Join
 		ready->factors = joint_factor(&ready->system, c->mass);
 	}
 	joint_solve(&ready->factors, ready->system.goal, x);
-	joint_hold(u, c, x, joint_has(u, JOINT_LOCKED(JOINT_ANGLE)));
+	joint_hold(&p->step, u, c, x, joint_has(u, JOINT_LOCKED(JOINT_ANGLE)));
 }
 
 // Executes a pass. held: result of joint_ready; if null, its parts are computed just before use, with fewer registers.

@@ -26,8 +26,8 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer,
 	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
 
 	// a lock just above 0 Hz is so soft that it has no effect; at exactly 0 Hz it is rigid
-	*rate = blend(splat(0.0f), quotient(omega, a1), a2 > splat(0.0f));
-	*soft = blend(splat(0.0f), minimum(quotient(1.0f, a2), splat(JOINT_SOFTEST)), hertz > splat(0.0f));
+	*rate = only(quotient(omega, a1), a2 > splat(0.0f));
+	*soft = only(minimum(quotient(1.0f, a2), splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
 
 // Computes rate and softness of the lock of coordinate k. joint_setup_spring replaces them for a soft lock.
@@ -98,14 +98,14 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 {
 	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));
-	Real zero = splat(0.0f), off[2];
+	Real off[2];
 	off[0] = vec_dot(gap, axis) - u->length;
 	off[1] = vec_cross(axis, gap);
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
 		Int counts = joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k) | JOINT_COUPLED) == 0);
-		off[k] = blend(zero, off[k], counts);
+		off[k] = only(off[k], counts);
 	}
 	Real square = off[0] * off[0] + off[1] * off[1];
 	Real most = splat(bits_float(read_shared(&p->counters->joint_gap)));
@@ -135,16 +135,16 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Real head[4], joint[4];
 	joint_quad(p, slot, JOINT_AT_MODES, head);
 	joint_quad(p, slot, JOINT_AT_HERTZ, joint);
-	u->modes = blend(zero, head[2], there);
+	u->modes = only(head[2], there);
 	Int radial = joint_has(u, JOINT_RADIAL | JOINT_COUPLED);
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		Real lock[4];
 		joint_quad(p, slot, JOINT_AT_LOCK(k), lock);
-		target[k] = blend(zero, lock[0], joint_has(u, JOINT_LOCKED(k)));
+		target[k] = only(lock[0], joint_has(u, JOINT_LOCKED(k)));
 	}
-	u->length = blend(zero, target[JOINT_ALONG], radial);
+	u->length = only(target[JOINT_ALONG], radial);
 
 	// targets of locks move frame A, so that coordinates are measured from the targets
 	Vec offset = vec(blend(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);

@@ -31,14 +31,13 @@ INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 	Int railed = joint_has(u, JOINT_RAILED);
 	if (k != JOINT_ALONG || !p->step.paths || !lane_bits(railed))
 		return zero;
-	return blend(zero, load(&joint_rare(p, foot_along, i), 0), railed);
+	return only(load(&joint_rare(p, foot_along, i), 0), railed);
 }
 
 // Keeps the impulse of a drive, or clears it if the user removed the drive. Passes skip coordinates without drives,
 // unless another joint of the same lanes has one: the effect of an impulse left over would depend on other joints.
-#define JOINT_DRIVE_KEPT(k, name, mode)       \
-	store(&joint_drive_row(p, k, name, i), 0, \
-	      blend(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
+#define JOINT_DRIVE_KEPT(k, name, mode) \
+	store(&joint_drive_row(p, k, name, i), 0, only(load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
 
 // Writes drive rows of coordinate k; joint_setup_spring writes the others. rate, soft: rate (1/s) and softness of
 // limits.
@@ -118,8 +117,8 @@ INLINE Real joint_most_beside(const Pools* p, int i, const JointPose* c)
 	Real zero = splat(0.0f);
 	Real a = real_of(gather_int(p->touching, load_int(&joint_row(p, body_a, i), 0)));
 	Real b = real_of(gather_int(p->touching, load_int(&joint_row(p, body_b, i), 0)));
-	a = blend(zero, a, c->a.inv_mass > zero);
-	b = blend(zero, b, c->b.inv_mass > zero);
+	a = only(a, c->a.inv_mass > zero);
+	b = only(b, c->b.inv_mass > zero);
 	return maximum(maximum(splat(1.0f), a), b);
 }
 
@@ -127,7 +126,7 @@ INLINE Real joint_springs_of(const Joint* u)
 {
 	Real zero = splat(0.0f), sum = zero;
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		sum = sum + blend(zero, splat(1.0f), joint_has(u, JOINT_SPRING(k) | JOINT_SOFT(k)));
+		sum = sum + only(splat(1.0f), joint_has(u, JOINT_SPRING(k) | JOINT_SOFT(k)));
 	return sum;
 }
 
@@ -147,7 +146,7 @@ INLINE void joint_setup_springs(const Pools* p, int i, Int slot, Joint* u)
 	path_pose(p, i, u, &c);
 	Real most = joint_most_beside(p, i, &c), springs = joint_springs_of(u);
 	Real beside = maximum(most * springs, one), alone = blend(one, zero, most > one);
-	store(&joint_rare(p, springs_alone, i), 0, blend(zero, alone, springs > zero));
+	store(&joint_rare(p, springs_alone, i), 0, only(alone, springs > zero));
 	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle},
 	     hold[3] = {u->soft_along, u->soft_across, u->soft_angle};
 	UNROLL
@@ -171,7 +170,7 @@ INLINE void joint_setup_path(const Pools* p, int i, Int slot, const Joint* u)
 {
 	Real lock[4];
 	joint_quad(p, slot, JOINT_AT_LOCK(JOINT_ACROSS), lock);
-	store(&joint_rare(p, beside, i), 0, blend(splat(0.0f), lock[0], joint_has(u, JOINT_LOCKED(JOINT_ACROSS))));
+	store(&joint_rare(p, beside, i), 0, only(lock[0], joint_has(u, JOINT_LOCKED(JOINT_ACROSS))));
 }
 
 // Computes all prepared rare rows of joint i, except those that joint_follow wrote.

@@ -82,15 +82,15 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	Real lost = spring_lost(decay), left = one - lost;
 	Real circular = lost * lost + left * spring_versine(blend(rest, zero, over));
 	// overdamped: two real decays; the slow one is a quotient, because a difference of near numbers is inexact
-	Real fast = decay + root(blend(zero, -rest, over));
+	Real fast = decay + root(only(-rest, over));
 	Real slow = quotient(square, blend(one, fast, over));
 	Real pull = blend(circular, spring_lost(slow) * spring_lost(fast), over);
 
 	Real product = left * left, keeps = minimum(maximum(quotient(pull, square), product), one);
 	JointSpring s;
 	s.keeps = blend(one, keeps, acts);
-	s.pull = blend(zero, pull, acts);
-	s.relaxes = blend(zero, maximum(one - quotient(product, keeps), zero), acts);
+	s.pull = only(pull, acts);
+	s.relaxes = only(maximum(one - quotient(product, keeps), zero), acts);
 	return s;
 }
 
@@ -99,7 +99,7 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 INLINE void joint_crosses(const JointPose* c, Real cross[3])
 {
 	Real ia = c->a.inv_inertia, ib = c->b.inv_inertia;
-	cross[0] = ia * c->lever_a[0] * c->lever_a[1] + ib * c->lever_b[0] * c->lever_b[1];
+	cross[0] = flush_element(ia * c->lever_a[0] * c->lever_a[1] + ib * c->lever_b[0] * c->lever_b[1]);
 	cross[1] = joint_yield_turning(c, JOINT_ALONG);
 	cross[2] = joint_yield_turning(c, JOINT_ACROSS);
 	if (!c->rails)
@@ -120,8 +120,8 @@ INLINE Real joint_share_free(const Joint* u, const JointPose* c, int k)
 	int i = k == 0 ? 1 : 0, j = k == JOINT_ANGLE ? 1 : JOINT_ANGLE;
 	joint_crosses(c, cross);
 	Int first = joint_rigid(u, c, i), second = joint_rigid(u, c, j);
-	Real ki = blend(zero, cross[k + i - 1], first), kj = blend(zero, cross[k + j - 1], second);
-	Real ij = blend(zero, cross[i + j - 1], first & second);
+	Real ki = only(cross[k + i - 1], first), kj = only(cross[k + j - 1], second);
+	Real ij = only(cross[i + j - 1], first & second);
 	Real ii = blend(one, joint_yield(c, i), first), jj = blend(one, joint_yield(c, j), second);
 	Real own = joint_yield(c, k), l = quotient(ij, ii);
 	Real rest = maximum(jj - l * ij, splat(SPRING_LEAST_YIELD) * jj), kept = kj - l * ki;

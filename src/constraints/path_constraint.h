@@ -60,7 +60,7 @@ OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	// lanes that are not finite keep their axes, so that the other body of the joint is not affected
 	Int sound = c->railed & (absolute((across + arc.along) + (angle + (turn.x + turn.y))) <= splat(MOST_FLOAT));
 	turn = vec_blend(vec(one, zero), turn, sound);
-	c->bend = blend(zero, quotient(bend + sway * arc.along, maximum(arc.out, splat(0.1f))), sound);
+	c->bend = only(quotient(bend + sway * arc.along, maximum(arc.out, splat(0.1f))), sound);
 	c->value[JOINT_ALONG] = blend(c->value[JOINT_ALONG], arc.along, sound);
 	c->value[JOINT_ACROSS] = blend(c->value[JOINT_ACROSS], across, sound);
 	c->value[JOINT_ANGLE] = blend(c->value[JOINT_ANGLE], angle, sound);

@@ -99,8 +99,10 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		if (k == 0)
 		{
 			// for two corners, the normal is the direction from a to b, if this is within 60 degrees of `now`
-			Vec direction = vec_scale(quotient(1.0f, root(vec_dot(between, between))), between);
-			direction = vec_blend(now, direction, vec_dot(direction, now) > splat(0.5f));
+			Real square = vec_dot(between, between);
+			Int apart = square >= splat(ABSORBS);
+			Vec direction = vec_scale(quotient(1.0f, root(blend(splat(1.0f), square, apart))), between);
+			direction = vec_blend(now, direction, apart & (vec_dot(direction, now) > splat(0.5f)));
 			points.normal = vec_blend(points.normal, direction, corners);
 		}
 		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;

@@ -74,7 +74,7 @@ INLINE Real body_effective_mass(Body a, Vec ra, Body b, Vec rb, Vec n)
 {
 	Real na = vec_cross(ra, n), nb = vec_cross(rb, n);
 	Real k = a.inv_mass + b.inv_mass + a.inv_inertia * na * na + b.inv_inertia * nb * nb;
-	return blend(splat(0.0f), quotient(1.0f, k), k > splat(0.0f));
+	return only(quotient(1.0f, k), k > splat(0.0f));
 }
 
 #endif

@@ -76,7 +76,7 @@ INLINE Vec sweep_velocity(const Step* step, Vec v)
 {
 	if (!lane_bits((vec_dot(v, v) <= splat(step->max_speed * step->max_speed)) == 0))
 		return v;
-	v = vec_scale(vec_shrink(v, step->max_speed), v);
+	v = vec_limit(v, step->max_speed);
 	return vec(number_of(v.x), number_of(v.y));
 }
 

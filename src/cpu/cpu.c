@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // cpu.c -- implements the CPU backend: pools in host memory, and kernels shared by threads.
 #include "cpu/cpu.h"
+#include "backend/arithmetic.h"
 #include "backend/batch.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -161,6 +162,7 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	b->state = cpu;
 	snprintf(b->name, sizeof(b->name), "cpu");
 	cpu->timed = options->timings;
+	cpu->flush = arithmetic_setting.flush;
 	cpu->choice.shares = true;
 	choose_kernels(cpu, lanes);
 

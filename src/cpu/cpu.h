@@ -39,6 +39,7 @@ typedef struct // the state of the backend
 	double detected; // number of items of the last list of runs that contained the narrow phase
 	KernelFunction functions[KERNEL_COUNT];
 	int lanes[KERNEL_COUNT]; // items per call of a kernel function
+	bool flush;              // kernels flush denormals to 0 (arithmetic.h)
 	bool timed;
 	Stage stage; // stage of the last kernel; the time of a primitive is added to it
 	double mark; // ms: time at which the last run ended

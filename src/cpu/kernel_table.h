@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // kernel_table.h -- defines the table of the kernels of lanesN.c or scalar_avx2.c; included at the end of these files.
 #include "cpu/lanes.h"
+#ifndef SCREE_SMALL
+#include "cpu/self_test_lanes.h"
+#endif
 
 #ifndef TABLE
 #define TABLE KERNEL_JOIN(kernels, LANES)

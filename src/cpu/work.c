@@ -91,6 +91,8 @@ static void do_block(void* context, int block, int blocks)
 	int kernel = cpu->runs[cpu->at].kernel_id, items = cpu->end - cpu->begin;
 	KernelFunction function = cpu->functions[kernel];
 	const ActiveBlocks* active = active_blocks(cpu, kernel);
+	if (cpu->flush)
+		float_mode_flush();
 	if (active && cpu->end > 1) // a run of one item updates counters, so it is never skipped
 		do_active(cpu, function, active, block, blocks);
 	else if (chunks[kernel] == DEALT)

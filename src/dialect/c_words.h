@@ -2,6 +2,7 @@
 // c_words.h -- defines the dialect in C, except the parts that depend on the number of lanes; included by dialect.h.
 #ifndef C_WORDS_H
 #define C_WORDS_H
+#include "platform/exact_floats.h"
 #include <stdint.h>
 #include <string.h>
 #define GLOBAL

@@ -113,6 +113,10 @@ INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
 #define shifted(x, bits)                ((Int)((Word)(x) << (bits)))
 #define store_keys(array, i, high, low) ((array)[i] = (Word64)(Word)(high) << 32 | (Word64)(Word)(low))
 #define root(x)                         square_root(x)
+#ifndef absolute
+#define absolute(x) __builtin_fabsf(x)
+#endif
+INLINE Real only(Real x, Int c) { return c ? x : 0.0f; }
 
 // following(a, b), preceding(a, b): see transpose.h, which has the versions for several lanes.
 #define following(a, b)     (b)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// finite.h -- keeps state finite: NaN is never stored, and sums of the user's values are clamped to the finite numbers.
-// Devices agree on which results are NaN, but not on the sign and the payload of a NaN (docs/determinism.md).
+// finite.h -- keeps state finite and normal: neither NaN nor a denormal is stored, and sums of the user's values are
+// clamped to the finite numbers.
+// Devices agree on which results are NaN, but not on the sign and the payload of a NaN. Some devices flush denormals to
+// 0, so values that can lead to one are set to 0 long before (docs/determinism.md).
 #ifndef FINITE_H
 #define FINITE_H
 #include "dialect/vec.h"
@@ -9,6 +11,28 @@
 #define MOST_IMPULSE  1.0e35f // N s: the momentum of the heaviest body (1e30 kg) at the highest max_speed
 #define MOST_FRICTION 1.0e3f  // maximum friction of two surfaces; its product with MOST_IMPULSE is still finite
 
+// m/s, rad/s, m, rad, N s, N m s: smaller velocities, motions and impulses count as 0. The product of two larger ones is
+// not denormal, and is not lost when masses or rates scale it.
+#define TINY 8.67361738e-19f // 2^-60
+
+// Least quotients, squares and energies, in any unit, that count. Adding a denormal to a larger number does not change
+// it.
+#define ABSORBS 7.88860905e-31f // 2^-100
+
+// 1/kg and other units: smaller elements of the matrices of joints count as 0, because they may be divided by others.
+#define LEAST_ELEMENT 7.52316385e-37f // 2^-120
+
+// kg: a mass up to this times a denormal velocity is negligible beside an impulse that is not tiny. Contacts of heavier
+// bodies set tiny velocities to 0 before they multiply them, which takes 1 % of a step; as do those of bodies with a
+// moment of inertia above this number, kg m^2.
+#define HEAVY_MASS 1.09951163e12f // 2^40
+
+// Returns x, or 0 if x is below `least`; NaN stays NaN. The result is never a negative zero.
+INLINE Real flush_below(Real x, float least) { return only(x, (absolute(x) < splat(least)) == 0); }
+INLINE Real flush_element(Real x) { return flush_below(x, LEAST_ELEMENT); }
+INLINE Real flush_tiny(Real x) { return flush_below(x, TINY); }
+INLINE Vec vec_flush_tiny(Vec v) { return vec(flush_tiny(v.x), flush_tiny(v.y)); }
+
 // Clamps x to -most .. most; NaN stays NaN.
 INLINE Real within(Real x, Real most) { return maximum(minimum(x, most), -most); }
 
@@ -16,27 +40,34 @@ INLINE Real within(Real x, Real most) { return maximum(minimum(x, most), -most);
 INLINE float finite_or_most(float x) { return x > MOST_FLOAT ? MOST_FLOAT : x < -MOST_FLOAT ? -MOST_FLOAT : x; }
 
 // Returns x, or zero if x is NaN.
-INLINE Real number_of(Real x) { return blend(splat(0.0f), x, x == x); }
+INLINE Real number_of(Real x) { return only(x, x == x); }
 
 // Clamps x to the finite numbers; returns zero if x is NaN.
 INLINE Real finite_of(Real x) { return number_of(within(x, splat(MOST_FLOAT))); }
 
-// Returns x if it is the impulse of a push, otherwise zero: if x is a pull, NaN or more than MOST_IMPULSE. Thus a body
-// with a NaN velocity pushes no other body, and is the only one that is frozen. The result is never a negative zero.
-INLINE Real push_of(Real x) { return blend(splat(0.0f), x, (x > splat(0.0f)) & (x <= splat(MOST_IMPULSE))); }
+// Returns x if it is the impulse of a push, otherwise zero: if x is a pull, tiny, NaN or more than MOST_IMPULSE. Thus a
+// body with a NaN velocity pushes no other body, and is the only one that is frozen. The result is never a negative
+// zero.
+INLINE Real push_of(Real x) { return only(x, (x >= splat(TINY)) & (x <= splat(MOST_IMPULSE))); }
 
-// Clamps an impulse to -limit .. limit; limit is finite. NaN becomes -limit.
-INLINE Real grip_of(Real x, Real limit) { return minimum(limit, maximum(-limit, x)); }
+// Returns x, an impulse of either sign; 0 if x is tiny, NaN or more than MOST_IMPULSE.
+INLINE Real bounded_impulse(Real x)
+{
+	Real most = absolute(x);
+	return only(x, (most >= splat(TINY)) & (most <= splat(MOST_IMPULSE)));
+}
 
-// Returns the factor that reduces a vector to `length`; 1 if the vector is not longer than that. Vectors whose square
-// may overflow are scaled down first. The product of a vector that is not finite and this factor is NaN.
-INLINE Real vec_shrink(Vec v, float length)
+// Clamps an impulse to -limit .. limit; limit is finite. NaN becomes -limit, a tiny result 0.
+INLINE Real grip_of(Real x, Real limit) { return flush_tiny(minimum(limit, maximum(-limit, x))); }
+
+// Returns a vector with its length reduced to `length`, or unchanged if it is not longer. A vector whose square may
+// overflow is scaled down first. A vector that is not finite becomes NaN.
+INLINE Vec vec_limit(Vec v, float length)
 {
 	Real square = vec_dot(v, v);
-	Real unit = blend(splat(1.0f), splat(1.35525272e-20f), square > splat(1.0e36f)); // 2^-66
-	Vec shorter = vec_scale(unit, v);
-	return blend(splat(1.0f), quotient(unit * length, root(vec_dot(shorter, shorter))),
-	             square > splat(length * length));
+	Vec shorter = vec_scale(blend(splat(1.0f), splat(1.35525272e-20f), square > splat(1.0e36f)), v); // 2^-66
+	Real factor = quotient(splat(length), root(vec_dot(shorter, shorter)));
+	return vec_blend(vec_scale(factor, shorter), v, square <= splat(length * length));
 }
 
 #endif

@@ -18,6 +18,7 @@ typedef int2 Int2;
 #define float_bits(x)           as_int(x)
 #define float_word(x)           as_uint(x)
 #define bits_float(x)           as_float(x)
+#define absolute(x)             fabs(x)
 #define leading_zeros(x)        ((int)clz(x))
 #define lowest_bit(x)           (63 - leading_zeros((x) & (~(x) + (ulong)1)))
 

@@ -2,9 +2,10 @@
 // own_rounding.h -- computes correctly rounded quotients and square roots from results that are off by a few ulp.
 //
 // OpenCL permits errors of 2.5 ulp in a quotient and 3 ulp in a root unless a device has the flag
-// -cl-fp32-correctly-rounded-divide-sqrt. Here such a device divides only numbers of 1 to 2 and takes roots of numbers
-// of 1 to 4, so neither denormals nor the range of exponents matter. Integers of 32 bits correct its result: for a
-// mantissa Q that is off by few units, the remainder is small, and is exact although its terms wrap around.
+// -cl-fp32-correctly-rounded-divide-sqrt. Here such a device divides only numbers between 1 and 2, and takes roots of
+// numbers between 1 and 4, so neither denormals nor the range of exponents matter. Integers of 32 bits correct its
+// result: for a mantissa Q that is off by few units, the remainder is small, and is exact although its terms wrap
+// around.
 //
 // The file that includes this one defines inexact_quotient(a, b) and inexact_root(x).
 #ifndef OWN_ROUNDING_H

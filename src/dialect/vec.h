@@ -28,7 +28,6 @@ INLINE Vec vec_spin(Real w, Vec r) { return vec(-w * r.y, w * r.x); }
 INLINE Vec vec_turn(Vec q, Vec a) { return vec(q.x * a.x - q.y * a.y, q.y * a.x + q.x * a.y); }
 INLINE Vec vec_turn_back(Vec q, Vec a) { return vec(q.x * a.x + q.y * a.y, q.x * a.y - q.y * a.x); }
 INLINE Vec vec_blend(Vec a, Vec b, Int c) { return vec(blend(a.x, b.x, c), blend(a.y, b.y, c)); }
-INLINE Real absolute(Real a) { return maximum(a, -a); }
 
 // Returns cosine and sine of an angle up to pi, by a Taylor series for a quarter of the angle; this quarter is then
 // doubled twice. The error is below 2e-7 up to 1 radian, which is 60 rad/s at 60 steps per second, and 2.3e-5 at pi.

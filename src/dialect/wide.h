@@ -28,6 +28,8 @@ INLINE Real blend(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a 
 INLINE Int blend_int(Int a, Int b, Int c) { return (b & c) | (a & ~c); }
 #endif
 
+INLINE Real only(Real x, Int c) { return (Real)((Int)x & c); }
+INLINE Real absolute(Real x) { return (Real)((Int)x & 0x7fffffff); }
 #include "dialect/extremes.h"
 
 #define whole(x)         __builtin_convertvector(x, Int)

@@ -5,7 +5,7 @@
 #include "opencl/cache.h"
 #include "opencl/device.h"
 
-#define PROGRAM_OPTIONS 96 // maximum size of the argument `options` in bytes, with the final zero
+#define PROGRAM_OPTIONS 128 // maximum size of the argument `options` in bytes, with the final zero
 
 // Builds the program `text`, which cmake/embed.cmake generated, with the given options, and with the options that equal
 // bits require. The caller releases *program. If the build fails, the compiler's messages are logged.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // opencl_backend.c -- implements the OpenCL backend: buffers by kind of item, kernels, and one in-order queue.
-#include "backend/rounding.h"
+#include "backend/arithmetic.h"
 #include "opencl/batch_transfer.h"
 #include "opencl/buffer.h"
 #include "opencl/compile.h"
@@ -252,11 +252,12 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	char program_options[PROGRAM_OPTIONS];
 	// PoCL compiles a kernel at its first launch, so unused kernels cost no time, and all worlds can share one program
 	bool resident = d->resident || d->device.compiles_at_launch;
-	bool own = rounding_setting != ROUNDING_DEVICE || !d->device.correct_division;
+	bool own = arithmetic_setting.rounding != ROUNDING_DEVICE || !d->device.correct_division;
 	bool tiles = d->device.local_memory >= TILE_MEMORY;
-	snprintf(program_options, sizeof program_options, "%s%s%s%s%s%s", resident ? " -DRESIDENT" : "",
+	snprintf(program_options, sizeof program_options, "%s%s%s%s%s%s%s", resident ? " -DRESIDENT" : "",
 	         resident && tiles ? " -DTILES" : "", d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "",
-	         own ? " -DOWN_ROUNDING" : "", rounding_setting == ROUNDING_WORSE ? " -DWORSE_ROUNDING" : "");
+	         own ? " -DOWN_ROUNDING" : "", arithmetic_setting.rounding == ROUNDING_WORSE ? " -DWORSE_ROUNDING" : "",
+	         arithmetic_setting.flush ? " -cl-denorms-are-zero" : "");
 	TRY(context_open(d, program_options, options->opengl));
 	cl_int error;
 	d->queue =

@@ -2,6 +2,7 @@
 // error.h -- declares the last error message, the log, memory and assertions, which use the functions of scree_hooks.
 #ifndef ERROR_H
 #define ERROR_H
+#include "platform/exact_floats.h"
 #include "scree/scree.h"
 
 #if defined(__GNUC__)

@@ -2,7 +2,6 @@
 // processor.c -- returns cores, memory, time and vector instructions of the processor; sets its floating-point mode.
 #define _GNU_SOURCE // declares sched_getaffinity and clock_gettime; ignored on other systems
 #include "platform/processor.h"
-#include <float.h>
 #ifdef _WIN32
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
@@ -19,10 +18,6 @@
 #include <xmmintrin.h>
 #else
 #define X86 0
-#endif
-
-#if FLT_EVAL_METHOD != 0
-#error "floats are computed with excess precision, so bits would differ: on 32-bit x86 compile with -msse2 -mfpmath=sse"
 #endif
 
 int processor_cores(void)
@@ -120,11 +115,14 @@ const char* processor_instructions(int lanes)
 #endif
 }
 
+// These functions are not inlined, so that a compiler does not move float operations across the change of the mode.
+#define MODE_CALL __attribute__((noinline))
+
 #if X86
 
 #define MXCSR_DEFAULT 0x1f80u // all exceptions masked, round to nearest, neither FTZ nor DAZ
 
-FloatMode float_mode_enter(void)
+MODE_CALL FloatMode float_mode_enter(void)
 {
 	FloatMode found = _mm_getcsr();
 	if (found != MXCSR_DEFAULT)
@@ -132,11 +130,12 @@ FloatMode float_mode_enter(void)
 	return found;
 }
 
-void float_mode_leave(FloatMode found) { _mm_setcsr((unsigned)found); }
+MODE_CALL void float_mode_leave(FloatMode found) { _mm_setcsr((unsigned)found); }
+void float_mode_flush(void) { _mm_setcsr(MXCSR_DEFAULT | 0x8040u); } // FTZ, DAZ
 
 #elif defined(__aarch64__)
 
-FloatMode float_mode_enter(void)
+MODE_CALL FloatMode float_mode_enter(void)
 {
 	FloatMode found, plain = 0; // round to nearest; FZ, FZ16 and traps off
 	__asm__ volatile("mrs %0, fpcr" : "=r"(found));
@@ -144,11 +143,15 @@ FloatMode float_mode_enter(void)
 	return found;
 }
 
-void float_mode_leave(FloatMode found) { __asm__ volatile("msr fpcr, %0" : : "r"(found)); }
+MODE_CALL void float_mode_leave(FloatMode found) { __asm__ volatile("msr fpcr, %0" : : "r"(found)); }
+void float_mode_flush(void) { float_mode_leave(1u << 24); } // FZ
 
 #else
 
 FloatMode float_mode_enter(void) { return 0; }
 void float_mode_leave(FloatMode found) { (void)found; }
+void float_mode_flush(void) {}
 
 #endif
+
+void float_mode_end(const FloatMode* found) { float_mode_leave(*found); }

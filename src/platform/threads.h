@@ -2,6 +2,7 @@
 // threads.h -- declares the workers: threads that share the blocks of a job.
 #ifndef THREADS_H
 #define THREADS_H
+#include "platform/exact_floats.h"
 #include <stdbool.h>
 
 #define MAX_WORKERS 64

@@ -4,6 +4,7 @@
 // The reduction follows Mary Payne, Robert Hanek, Radian Reduction for Trigonometric Functions, 1983: a large angle is
 // multiplied only by those digits of 1 / (2 pi) that affect the fraction of a turn.
 #include "platform/trig.h"
+#include "platform/processor.h"
 #include "scree/scree.h"
 #include <math.h>
 #include <string.h>
@@ -102,9 +103,14 @@ double arc_tangent(double y, double x)
 
 scree_rot scree_rot_make(float radians)
 {
+	FLOAT_MODE_HERE;
 	double s, c;
 	sine_cosine(radians, &s, &c);
 	return (scree_rot){(float)c, (float)s};
 }
 
-float scree_rot_get_angle(scree_rot rotation) { return (float)arc_tangent(rotation.s, rotation.c); }
+float scree_rot_get_angle(scree_rot rotation)
+{
+	FLOAT_MODE_HERE;
+	return (float)arc_tangent(rotation.s, rotation.c);
+}

@@ -2,6 +2,7 @@
 // trig.h -- computes sine, cosine and arc tangent on the host, only with + - * /, for equal bits on every machine.
 #ifndef TRIG_H
 #define TRIG_H
+#include "platform/exact_floats.h"
 
 #define PI 3.14159265358979323846
 

@@ -50,6 +50,7 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 	Softness pair, fixed; // softness of contacts between two bodies that can move; softness of other contacts
 	float h_ratio;        // h divided by h of the last step with dt above 0; 1 if dt is 0 or there was no such step
 	int has_rolling;      // some attribute or pair of materials has restitution, rolling resistance or tangent speed
+	int heavy;            // some body has, or had, a mass above HEAVY_MASS or an inertia of that number
 	int belts;            // some attribute or pair of materials has a tangent speed
 	int segments;         // some attribute is a segment
 	int details;          // 1 if contacts store total impulses and approach speeds for reports

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // constants.c -- computes the constants of a step, and uploads the list of kinematic bodies.
 #include "step/constants.h"
+#include "dialect/finite.h"
 #include "platform/error.h"
 #include "step/contact_capacity.h"
 #include <math.h>
@@ -83,16 +84,17 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .h = h,
 	    .inv_h = rate,
 	    .h_ratio = moves && pipeline->step.h > 0.0f ? h / pipeline->step.h : 1.0f,
-	    .gravity_x = request->gravity.x,
-	    .gravity_y = request->gravity.y,
+	    .gravity_x = flush_tiny(request->gravity.x),
+	    .gravity_y = flush_tiny(request->gravity.y),
 	    .max_speed = tuning->max_speed,
 	    .max_spin = moves ? (turn < 3.14159265f ? turn : 3.14159265f) / dt : 0.0f,
-	    .push_speed = tuning->contact_push_speed,
-	    .fall = fall < SPECULATIVE_DISTANCE ? fall : SPECULATIVE_DISTANCE,
-	    .restitution_threshold = tuning->restitution_threshold,
+	    .push_speed = flush_tiny(tuning->contact_push_speed),
+	    .fall = flush_tiny(fall < SPECULATIVE_DISTANCE ? fall : SPECULATIVE_DISTANCE),
+	    .restitution_threshold = tuning->restitution_threshold > TINY ? tuning->restitution_threshold : TINY,
 	    .pair = moves ? softness(hertz, ratio, h, firm / hertz * FIRM_PAIR, gravity) : (Softness){0},
 	    .fixed = moves ? softness(fixed, ratio, h, firm / fixed * FIRM_FIXED, gravity) : (Softness){0},
 	    .has_rolling = pipeline->has_rolling,
+	    .heavy = pipeline->heavy,
 	    .belts = pipeline->belts,
 	    .segments = pipeline->segments,
 	    .details = request->details || request->reports,
@@ -103,8 +105,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .asks = pipeline->asks,
 	    .request_again = request->request_again,
 	    .allowed = request->allowed_count,
-	    .hit_speed = request->hit_speed,
-	    .hit_impulse = request->hit_impulse,
+	    .hit_speed = flush_tiny(request->hit_speed),
+	    .hit_impulse = flush_tiny(request->hit_impulse),
 	    .bounces = pipeline->bounces,
 	    .joints = pipeline->counters.joints > 0,
 	    .calm = calm,

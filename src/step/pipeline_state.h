@@ -75,6 +75,7 @@ typedef struct
 	bool started;                 // the current step has changed data on the device
 	bool reverted;                // the last step was refused, so the boxes are older than the poses
 	bool has_rolling;             // some attribute has restitution, rolling resistance or tangent speed
+	bool heavy;                   // some body has, or had, a mass above HEAVY_MASS or an inertia of that number
 	bool belts;                   // some attribute, or pair of materials, has a tangent speed
 	bool segments;                // some attribute is a segment
 	bool statics;                 // some collidable has ever been static

@@ -3,6 +3,7 @@
 #include "world/edits.h"
 #include "platform/error.h"
 #include "world/memory.h"
+#include "world/pool_values.h"
 #include "world/world.h"
 
 scree_status edits_reserve(scree_world* world, const char* function, int bodies, int collidables, int commands)
@@ -24,6 +25,12 @@ void edits_close(Edits* edits)
 	scree_release(edits->paths);
 }
 
+static void note_heavy(scree_world* world, float inv_mass, float inv_inertia)
+{
+	const float least = 1.0f / HEAVY_MASS;
+	world->pipeline.heavy |= (inv_mass > 0.0f && inv_mass < least) || (inv_inertia > 0.0f && inv_inertia < least);
+}
+
 void edits_body(scree_world* world, BodyRow row)
 {
 	Edits* p = &world->edits;
@@ -31,6 +38,10 @@ void edits_body(scree_world* world, BodyRow row)
 	if (waiting->row == 0)
 		waiting->row = ++p->body_count;
 	row.since = p->command_count;
+	note_heavy(world, row.inv_mass, row.inv_inertia);
+	flush_row(&row.pose.position.x, 4);
+	flush_row(&row.center.x, 2);
+	flush_row(&row.velocity.linear.x, 3);
 	p->bodies[waiting->row - 1] = row;
 }
 
@@ -53,5 +64,12 @@ void edits_whole(scree_world* world, Command command)
 	Edits* p = &world->edits;
 	if (command.kind < COMMAND_BODY)
 		command.whole[1] = world->host_bodies[command.index].disabled;
+	if (command.kind == COMMAND_MASS)
+	{
+		note_heavy(world, command.value.x, command.value.y);
+		flush_row(&command.value.z, 2); // inverse masses may be tiny
+	}
+	else
+		flush_row(&command.value.x, 4);
 	p->commands[p->command_count++] = command;
 }

@@ -2,9 +2,20 @@
 // pool_values.h -- converts values of the interface to values of the pools.
 #ifndef POOL_VALUES_H
 #define POOL_VALUES_H
+#include "dialect/finite.h"
 #include "pools/pools.h"
 #include "world/world.h"
 #include <string.h>
+
+// Sets tiny values of the user to 0 (finite.h) in a row of floats.
+static inline void flush_row(float* row, int count)
+{
+	for (int k = 0; k < count; ++k)
+		row[k] = flush_tiny(row[k]);
+}
+
+// Likewise for all floats of a struct from one member to another, of which both are included.
+#define FLUSH_MEMBERS(item, first, last) flush_row(&(item)->first, (int)(&(item)->last - &(item)->first) + 1)
 
 // Returns the word Filter.reports of a collidable, with its REPORT_* and SENSOR_* bits.
 static inline uint32_t report_bits(const HostCollidable* host) { return host->reports | host->sensor << SENSOR_SHIFT; }
@@ -22,6 +33,8 @@ static inline void shape_row(const scree_shape* shape, Attribute* row)
 	{
 		row->vertices[k] = make_float2(shape->vertices[k].x, shape->vertices[k].y);
 		row->normals[k] = make_float2(shape->normals[k].x, shape->normals[k].y);
+		flush_row(&row->vertices[k].x, 2);
+		flush_row(&row->normals[k].x, 2);
 	}
 }
 
@@ -33,12 +46,14 @@ static inline Float4 body_values_row(const BodyValues* values)
 	_Static_assert(sizeof *values <= sizeof(Float4), "a command has four numbers");
 	Float4 row = {0};
 	memcpy(&row, values, sizeof *values);
+	flush_row(&row.x, 4);
 	return row;
 }
 
 static inline Float4 pose_row(scree_pose pose)
 {
-	return make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
+	return make_float4(flush_tiny(pose.position.x), flush_tiny(pose.position.y), flush_tiny(pose.rotation.c),
+	                   flush_tiny(pose.rotation.s));
 }
 
 #endif

@@ -62,6 +62,12 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 
 // Shortens a program after which the worlds differ, prints it and writes it to a file. If new worlds do not differ
 // after the program, the earlier programs on the same worlds are put before it.
+// Writes the name of the form and the arithmetic of the second world.
+static const char* form_of(const Options* o, char text[40])
+{
+	return form_name(solve_form_setting, (Arithmetic){arithmetic_setting.rounding, o->places[1].flush}, text);
+}
+
 static void report(const Options* o, Pair* pair, Program* program, Program* before, uint64_t seed)
 {
 	char path[512], what[64];
@@ -77,15 +83,15 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 	}
 	char* text = NULL;
 	size_t length = 0;
-	char form[32];
+	char form[40];
 	FILE* memory = open_memstream(&text, &length);
 	if (!memory)
 		return;
 	if (!farm_print(pair, program, what, memory))
 		fprintf(memory, "%s: differed, and does not when run again\n", what);
 	program_write(program, memory);
-	fprintf(memory, "again: programs --device %s --form %s --replay %s\n\n", o->places[1].device,
-	        form_name(solve_form_setting, rounding_setting, form), path);
+	fprintf(memory, "again: programs --device %s --form %s --replay %s\n\n", o->places[1].device, form_of(o, form),
+	        path);
 	fclose(memory);
 	fwrite(text, 1, length, stdout);
 	fflush(stdout);
@@ -167,11 +173,11 @@ static bool ended(const Options* o, Desk* desk, pid_t child)
 	if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
 		return true;
 	desk->failed += 1;
-	char form[32];
+	char form[40];
 	printf("program %" PRIu64 ": %s (status %d); again: programs --seed %" PRIu64
 	       " --programs 1 --calls %d --device %s --form %s\n",
 	       desk->seed, late ? "it hangs" : "the process crashed", status, desk->seed, o->calls, o->places[1].device,
-	       form_name(solve_form_setting, rounding_setting, form));
+	       form_of(o, form));
 	return true;
 }
 

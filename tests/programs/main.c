@@ -17,7 +17,8 @@ static const char usage[] =
     "  --calls N       of each (200)\n"
     "  --device NAME   where they run: cpu (default), opencl, opencl:NAME\n"
     "  --form NAME     of the solve there: default, launches, relay, tiles (docs/opencl.md); with \",own\" or\n"
-    "                  \",worse\" after it, quotients and roots are rounded by integers (src/dialect/own_rounding.h)\n"
+    "                  \",worse\" after it, quotients and roots are rounded by integers (src/dialect/own_rounding.h);\n"
+    "                  with \",flush\" at the end, denormals count as 0 there (src/backend/arithmetic.h)\n"
     "  --threads N, --lanes N   on a CPU (0: all)\n"
     "  --jobs N        processes (1)\n"
     "  --life N        programs, one after the other, on the same worlds, up to 64 (1)\n"
@@ -81,6 +82,7 @@ static Options parse(int count, char** arguments)
 		{
 			if (!form_choose(value))
 				die("programs: there is no form %s\n", value);
+			o.places[1].flush = arithmetic_setting.flush;
 		}
 		else if (strcmp(name, "--out") == 0)
 			o.out = value;

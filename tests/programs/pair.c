@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // pair.c -- runs a program on two worlds side by side, which must have equal statuses, results and hashes.
+#include "backend/arithmetic.h"
 #include "programs/run_call.h"
 #include <inttypes.h>
 #include <pthread.h>
@@ -58,6 +59,8 @@ static void read_between(Pair* pair, CallRun run)
 static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 {
 	Left left = {0};
+	if (call->kind != CALL_step) // a step opens no device, and the worlds may take their steps at the same time
+		arithmetic_setting.flush = pair->places[k].flush;
 	CallRun run = {call, pair->worlds[k], pair->names[k], &pair->places[k], pair->homes[k], &left};
 	left.status = run_call(&run);
 	if (left.status != SCREE_OK)
@@ -256,6 +259,7 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 	for (int k = 0; k < 2; ++k)
 	{
 		memset(pair->names[k], 0, sizeof *pair->names[k]);
+		arithmetic_setting.flush = pair->places[k].flush;
 		left[k].status = run_world(&pair->places[k], made, &pair->worlds[k]);
 		if (left[k].status != SCREE_OK)
 			snprintf(left[k].error, sizeof left[k].error, "%s", scree_error());

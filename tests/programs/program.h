@@ -64,6 +64,7 @@ typedef struct // first device of a world, and device to which the call "move" m
 {
 	char device[128], other[128];
 	int threads, lanes;
+	bool flush; // true: its devices flush denormals to 0 (backend/arithmetic.h)
 	bool reads; // true: between calls the world is read, and moved to the device that it is on
 } Place;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// form_names.h -- defines the names of the forms of the solve and of the ways of rounding, and selects them by name.
+// form_names.h -- defines the names of the forms of the solve and of the kinds of arithmetic, and selects them by name.
 #ifndef FORM_NAMES_H
 #define FORM_NAMES_H
-#include "backend/rounding.h"
+#include "backend/arithmetic.h"
 #include "backend/solve_form.h"
 #include <stdio.h>
 #include <string.h>
@@ -10,29 +10,33 @@
 static const char* const form_names[FORM_COUNT] = {
     [FORM_ANY] = "default", [FORM_RELAY] = "relay", [FORM_TILES] = "tiles", [FORM_LAUNCHES] = "launches"};
 
-// second part of a name, after the form
+// second part of a name
 static const char* const rounding_names[ROUNDING_COUNT] = {
     [ROUNDING_DEVICE] = "", [ROUNDING_OWN] = ",own", [ROUNDING_WORSE] = ",worse"};
 
-// Writes the name of a form and a way of rounding, such as "relay,own".
-static inline const char* form_name(SolveForm form, Rounding rounding, char text[32])
+// third part of a name, if denormals are flushed
+#define FLUSH_NAME ",flush"
+
+// Writes the name of a form and a kind of arithmetic, such as "relay,own,flush".
+static inline const char* form_name(SolveForm form, Arithmetic arithmetic, char text[40])
 {
-	snprintf(text, 32, "%s%s", form_names[form], rounding_names[rounding]);
+	snprintf(text, 40, "%s%s%s", form_names[form], rounding_names[arithmetic.rounding],
+	         arithmetic.flush ? FLUSH_NAME : "");
 	return text;
 }
 
-// Sets solve_form_setting and rounding_setting by a name. Returns false if there is no such name.
+// Sets solve_form_setting and arithmetic_setting by a name. Returns false if there is no such name.
 static inline bool form_choose(const char* name)
 {
-	char text[32];
-	for (int k = 0; k < FORM_COUNT * ROUNDING_COUNT; ++k)
+	char text[40];
+	for (int k = 0; k < 2 * FORM_COUNT * ROUNDING_COUNT; ++k)
 	{
-		SolveForm form = (SolveForm)(k % FORM_COUNT);
-		Rounding rounding = (Rounding)(k / FORM_COUNT);
-		if (strcmp(name, form_name(form, rounding, text)) != 0)
+		SolveForm form = (SolveForm)(k / 2 % FORM_COUNT);
+		Arithmetic arithmetic = {(Rounding)(k / 2 / FORM_COUNT), k % 2};
+		if (strcmp(name, form_name(form, arithmetic, text)) != 0)
 			continue;
 		solve_form_setting = form;
-		rounding_setting = rounding;
+		arithmetic_setting = arithmetic;
 		return true;
 	}
 	return false;

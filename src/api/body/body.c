@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // body.c -- creates, destroys and lists bodies.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -181,11 +182,13 @@ static scree_status create(scree_world* world, const char* function, const char*
 
 scree_status scree_bodies_create(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies)
 {
+	FLOAT_MODE_HERE;
 	return create(world, "scree_bodies_create", "defs", defs, count, bodies, false);
 }
 
 scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body)
 {
+	FLOAT_MODE_HERE;
 	return create(world, "scree_body_create", "def", def, 1, body, true);
 }
 
@@ -246,16 +249,19 @@ static scree_status destroy(scree_world* world, const char* function, const char
 
 scree_status scree_bodies_destroy(scree_world* world, const scree_body* bodies, int count)
 {
+	FLOAT_MODE_HERE;
 	return destroy(world, "scree_bodies_destroy", "bodies", bodies, count, false);
 }
 
 scree_status scree_body_destroy(scree_world* world, scree_body body)
 {
+	FLOAT_MODE_HERE;
 	return destroy(world, "scree_body_destroy", "body", &body, 1, true);
 }
 
 scree_status scree_world_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_bodies";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_list(function, "bodies", bodies, capacity, count));

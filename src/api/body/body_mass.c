@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // body_mass.c -- reads and sets masses of bodies.
+#include "platform/processor.h"
 #include "world/edits.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -13,6 +14,7 @@
 
 scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_mass";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_pointer(function, "mass", mass));
@@ -37,6 +39,7 @@ static scree_status check_mass(const scree_world* world, ArgumentPlace body, Arg
 
 scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_mass";
 	TRY(world_check(world, function));
 	TRY(check_mass(world, (ArgumentPlace){function, "body", ALONE}, (ArgumentPlace){function, "mass", ALONE}, body,
@@ -48,6 +51,7 @@ scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass
 
 scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses, int count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_bodies_set_masses";
 	TRY(world_check(world, function));
 	TRY(check_batch(function, "bodies", bodies, count));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // body_moved.c -- lists the bodies whose poses changed since the user last read the list.
+#include "platform/processor.h"
 #include "step/step_queries.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -22,6 +23,7 @@ static void moved_fill(const scree_world* world, const MovedBody* row, scree_mov
 
 scree_status scree_world_get_moved_bodies_sized(scree_world* world, scree_moved_bodies* list)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_moved_bodies";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "list", list));

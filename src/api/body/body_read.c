@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // body_read.c -- reads poses, velocities and definitions of bodies, and velocities of their points, from the device.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/memory.h"
@@ -96,6 +97,7 @@ static scree_status check_read(const scree_world* world, const char* function, c
 
 scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses, int count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_bodies_get_poses";
 	TRY(check_read(world, function, bodies, "poses", poses, count));
 	return count > 0 ? get_poses(world, function, "bodies", bodies, poses, count, false) : SCREE_OK;
@@ -104,6 +106,7 @@ scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies
 scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities,
                                          int count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_bodies_get_velocities";
 	TRY(check_read(world, function, bodies, "velocities", velocities, count));
 	return count > 0 ? get_velocities(world, function, "bodies", bodies, velocities, count, false) : SCREE_OK;
@@ -111,6 +114,7 @@ scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* b
 
 scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_pose";
 	TRY(check_read(world, function, &body, "pose", pose, 1));
 	return get_poses(world, function, "body", &body, pose, 1, true);
@@ -118,6 +122,7 @@ scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose
 
 scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_velocity";
 	TRY(check_read(world, function, &body, "velocity", velocity, 1));
 	return get_velocities(world, function, "body", &body, velocity, 1, true);
@@ -125,6 +130,7 @@ scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_
 
 scree_status scree_body_get_def_sized(scree_world* world, scree_body body, scree_body_def* def, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_def";
 	scree_body_def now = scree_body_def_default();
 	TRY(check_read(world, function, &body, "def", def, 1));
@@ -143,6 +149,7 @@ scree_status scree_body_get_def_sized(scree_world* world, scree_body body, scree
 scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scree_body_state* states, int capacity,
                                     int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_states";
 	TRY(world_check(world, function));
 	TRY(check_list(function, "states", states, capacity, count));
@@ -187,6 +194,7 @@ static scree_status point_pose(scree_world* world, const char* function, scree_b
 
 scree_status scree_body_get_world_point(scree_world* world, scree_body body, scree_vec local, scree_vec* point)
 {
+	FLOAT_MODE_HERE;
 	scree_pose pose;
 	TRY(point_pose(world, "scree_body_get_world_point", body, "local", local, "point", point, &pose));
 	*point = pose_point(pose, local);
@@ -195,6 +203,7 @@ scree_status scree_body_get_world_point(scree_world* world, scree_body body, scr
 
 scree_status scree_body_get_local_point(scree_world* world, scree_body body, scree_vec point, scree_vec* local)
 {
+	FLOAT_MODE_HERE;
 	scree_pose pose;
 	TRY(point_pose(world, "scree_body_get_local_point", body, "point", point, "local", local, &pose));
 	scree_vec from = {point.x - pose.position.x, point.y - pose.position.y};
@@ -204,6 +213,7 @@ scree_status scree_body_get_local_point(scree_world* world, scree_body body, scr
 
 scree_status scree_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point, scree_vec* velocity)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_point_velocity";
 	scree_pose pose;
 	scree_velocity v;

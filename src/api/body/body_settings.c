@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // body_settings.c -- sets and reads type, damping, gravity scale, locks, enabling and user word of a body.
+#include "platform/processor.h"
 #include "step/tree_maintenance.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -32,6 +33,7 @@ static scree_status lookup_to_set(scree_world* world, const char* function, scre
 
 scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_type";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 4, &index));
@@ -73,6 +75,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 
 scree_status scree_body_get_type(const scree_world* world, scree_body body, scree_body_type* type)
 {
+	FLOAT_MODE_HERE;
 	HostBody* host;
 	TRY(lookup(world, "scree_body_get_type", body, "type", type, &host));
 	*type = host->type;
@@ -81,6 +84,7 @@ scree_status scree_body_get_type(const scree_world* world, scree_body body, scre
 
 scree_status scree_body_set_damping(scree_world* world, scree_body body, float linear, float angular)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_damping";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 1, &index));
@@ -94,6 +98,7 @@ scree_status scree_body_set_damping(scree_world* world, scree_body body, float l
 
 scree_status scree_body_get_damping(const scree_world* world, scree_body body, float* linear, float* angular)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_damping";
 	HostBody* host;
 	TRY(lookup(world, function, body, "linear", linear, &host));
@@ -105,6 +110,7 @@ scree_status scree_body_get_damping(const scree_world* world, scree_body body, f
 
 scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, float scale)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_gravity_scale";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 1, &index));
@@ -116,6 +122,7 @@ scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, f
 
 scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body body, float* scale)
 {
+	FLOAT_MODE_HERE;
 	HostBody* host;
 	TRY(lookup(world, "scree_body_get_gravity_scale", body, "scale", scale, &host));
 	*scale = host->values.gravity_scale;
@@ -124,6 +131,7 @@ scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body b
 
 scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t locks)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_locks";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 3, &index));
@@ -137,6 +145,7 @@ scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t 
 
 scree_status scree_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks)
 {
+	FLOAT_MODE_HERE;
 	HostBody* host;
 	TRY(lookup(world, "scree_body_get_locks", body, "locks", locks, &host));
 	*locks = host->locks;
@@ -207,11 +216,13 @@ static scree_status set_enabled(scree_world* world, const char* function, const 
 
 scree_status scree_bodies_set_enabled(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
 {
+	FLOAT_MODE_HERE;
 	return set_enabled(world, "scree_bodies_set_enabled", "bodies", bodies, enabled, count, false);
 }
 
 scree_status scree_body_set_enabled(scree_world* world, scree_body body, bool enabled)
 {
+	FLOAT_MODE_HERE;
 	return set_enabled(world, "scree_body_set_enabled", "body", &body, &enabled, 1, true);
 }
 
@@ -222,6 +233,7 @@ bool scree_body_is_enabled(const scree_world* world, scree_body body)
 
 scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user)
 {
+	FLOAT_MODE_HERE;
 	HostBody* host;
 	TRY(lookup(world, "scree_body_set_user", body, "user", &user, &host));
 	host->user = user;
@@ -230,6 +242,7 @@ scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t u
 
 scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user)
 {
+	FLOAT_MODE_HERE;
 	HostBody* host;
 	TRY(lookup(world, "scree_body_get_user", body, "user", user, &host));
 	*user = host->user;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // body_target.c -- sets targets of kinematic bodies.
+#include "platform/processor.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
 #include "world/objects/targets.h"
@@ -41,10 +42,12 @@ static scree_status set(scree_world* world, const char* function, const char* bo
 
 scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
 {
+	FLOAT_MODE_HERE;
 	return set(world, "scree_bodies_set_targets", "bodies", "poses", bodies, poses, count, false);
 }
 
 scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose)
 {
+	FLOAT_MODE_HERE;
 	return set(world, "scree_body_set_target", "body", "pose", &body, &pose, 1, true);
 }

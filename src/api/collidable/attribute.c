@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // attribute.c -- creates one attribute for equal definitions, and destroys it after as many destructions as creations.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/attributes.h"
@@ -58,6 +59,7 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 
 scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def, scree_attribute* attribute)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_attribute_create";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "def", def));
@@ -75,6 +77,7 @@ scree_status scree_attribute_create(scree_world* world, const scree_attribute_de
 scree_status scree_attribute_get_def_sized(const scree_world* world, scree_attribute attribute,
                                            scree_attribute_def* def, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_attribute_get_def";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_pointer(function, "def", def));
@@ -88,6 +91,7 @@ scree_status scree_attribute_get_def_sized(const scree_world* world, scree_attri
 
 scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_attribute_destroy";
 	TRY(world_check(world, function));
 	int index = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // collidable.c -- creates, destroys and lists collidables.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -77,11 +78,13 @@ static scree_status create(scree_world* world, const char* function, const char*
 scree_status scree_collidables_create(scree_world* world, const scree_collidable_def* defs, int count,
                                       scree_collidable* collidables)
 {
+	FLOAT_MODE_HERE;
 	return create(world, "scree_collidables_create", "defs", defs, count, collidables, false);
 }
 
 scree_status scree_collidable_create(scree_world* world, const scree_collidable_def* def, scree_collidable* collidable)
 {
+	FLOAT_MODE_HERE;
 	return create(world, "scree_collidable_create", "def", def, 1, collidable, true);
 }
 
@@ -119,17 +122,20 @@ static scree_status destroy(scree_world* world, const char* function, const char
 
 scree_status scree_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count)
 {
+	FLOAT_MODE_HERE;
 	return destroy(world, "scree_collidables_destroy", "collidables", collidables, count, false);
 }
 
 scree_status scree_collidable_destroy(scree_world* world, scree_collidable collidable)
 {
+	FLOAT_MODE_HERE;
 	return destroy(world, "scree_collidable_destroy", "collidable", &collidable, 1, true);
 }
 
 scree_status scree_body_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables,
                                         int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_collidables";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_list(function, "collidables", collidables, capacity, count));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // collidable_settings.c -- reads and sets attribute, pose, filter, reports, sensor bits and user word of a collidable.
+#include "platform/processor.h"
 #include "step/tree_maintenance.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -23,6 +24,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 
 scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable, scree_body* body)
 {
+	FLOAT_MODE_HERE;
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_body", collidable, "body", body, &host));
 	*body = owner_handle(world, (int)collidable.index - 1);
@@ -32,6 +34,7 @@ scree_status scree_collidable_get_body(const scree_world* world, scree_collidabl
 scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
                                             scree_attribute* attribute)
 {
+	FLOAT_MODE_HERE;
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_attribute", collidable, "attribute", attribute, &host));
 	*attribute = attribute_handle(world, host->attribute);
@@ -47,6 +50,7 @@ static scree_status mark_tree(scree_world* world, int index)
 
 scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable, scree_attribute attribute)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_set_attribute";
 	TRY(world_check(world, function));
 	int index = 0, now = 0;
@@ -81,6 +85,7 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 
 scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable, scree_pose* pose)
 {
+	FLOAT_MODE_HERE;
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_local_pose", collidable, "pose", pose, &host));
 	*pose = host->pose;
@@ -89,6 +94,7 @@ scree_status scree_collidable_get_local_pose(const scree_world* world, scree_col
 
 scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable, scree_filter* filter)
 {
+	FLOAT_MODE_HERE;
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_filter", collidable, "filter", filter, &host));
 	*filter = host->filter;
@@ -97,6 +103,7 @@ scree_status scree_collidable_get_filter(const scree_world* world, scree_collida
 
 scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user)
 {
+	FLOAT_MODE_HERE;
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_user", collidable, "user", user, &host));
 	*user = host->user;
@@ -105,6 +112,7 @@ scree_status scree_collidable_get_user(const scree_world* world, scree_collidabl
 
 scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user)
 {
+	FLOAT_MODE_HERE;
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_set_user", collidable, "user", &user, &host));
 	host->user = user;
@@ -113,6 +121,7 @@ scree_status scree_collidable_set_user(scree_world* world, scree_collidable coll
 
 scree_status scree_collidable_set_filter(scree_world* world, scree_collidable collidable, scree_filter filter)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_set_filter";
 	TRY(world_check(world, function));
 	int index = 0;
@@ -126,6 +135,7 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 
 scree_status scree_collidable_get_reports(const scree_world* world, scree_collidable collidable, uint32_t* reports)
 {
+	FLOAT_MODE_HERE;
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_reports", collidable, "reports", reports, &host));
 	*reports = host->reports;
@@ -159,6 +169,7 @@ static scree_status set_reports(scree_world* world, const char* function, const 
 
 scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_set_reports";
 	TRY(world_check(world, function));
 	return set_reports(world, function, "collidable", &collidable, &reports, 1, true);
@@ -167,6 +178,7 @@ scree_status scree_collidable_set_reports(scree_world* world, scree_collidable c
 scree_status scree_collidables_set_reports(scree_world* world, const scree_collidable* collidables,
                                            const uint32_t* reports, int count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_collidables_set_reports";
 	TRY(world_check(world, function));
 	TRY(check_batch(function, "collidables", collidables, count));
@@ -176,6 +188,7 @@ scree_status scree_collidables_set_reports(scree_world* world, const scree_colli
 
 scree_status scree_collidable_get_sensor(const scree_world* world, scree_collidable collidable, uint32_t* sensor)
 {
+	FLOAT_MODE_HERE;
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_sensor", collidable, "sensor", sensor, &host));
 	*sensor = host->sensor;
@@ -184,6 +197,7 @@ scree_status scree_collidable_get_sensor(const scree_world* world, scree_collida
 
 scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable collidable, uint32_t sensor)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_set_sensor";
 	TRY(world_check(world, function));
 	int index = 0;
@@ -205,6 +219,7 @@ scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable co
 scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
                                          const scree_pose* poses, int count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_collidables_set_poses";
 	TRY(world_check(world, function));
 	TRY(check_batch(function, "collidables", collidables, count));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // material.c -- sets and reads surface values of pairs of materials, which replace values mixed from two attributes.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/materials.h"
@@ -32,6 +33,7 @@ static scree_status check_part(ArgumentPlace at, const char* member, float value
 scree_status scree_world_set_material_pair(scree_world* world, int material_a, int material_b,
                                            const scree_material_pair* pair)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_set_material_pair";
 	ArgumentPlace at = {function, "pair", ALONE};
 	TRY(world_check(world, function));
@@ -59,6 +61,7 @@ scree_status scree_world_set_material_pair(scree_world* world, int material_a, i
 scree_status scree_world_get_material_pair_sized(const scree_world* world, int material_a, int material_b,
                                                  scree_material_pair* pair, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_material_pair";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_material(function, "material_a", material_a));

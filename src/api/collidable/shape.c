@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // shape.c -- creates and transforms shapes.
+#include "platform/processor.h"
 #include "world/shape/geometry.h"
 #include "world/shape/hull.h"
 #include <string.h>
@@ -15,6 +16,7 @@ static scree_status check_ends(const char* function, scree_vec a, scree_vec b)
 
 scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_box";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_real((ArgumentPlace){function, "half_width", ALONE}, "", half_width, SMALLEST_SIZE,
@@ -29,6 +31,7 @@ scree_status scree_shape_make_box(float half_width, float half_height, scree_sha
 
 scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_circle";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_vec((ArgumentPlace){function, "center", ALONE}, "", center, SCREE_MAX_COORDINATE));
@@ -40,6 +43,7 @@ scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape
 
 scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_capsule";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_vec((ArgumentPlace){function, "a", ALONE}, "", a, SCREE_MAX_COORDINATE));
@@ -53,6 +57,7 @@ scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, sc
 
 scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_segment";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_vec((ArgumentPlace){function, "a", ALONE}, "", a, SCREE_MAX_COORDINATE));
@@ -84,6 +89,7 @@ static scree_status check_polygon(const char* function, const char* argument, co
 
 scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_polygon";
 	TRY(check_polygon(function, "corners", corners, count, SCREE_MAX_VERTICES, radius, shape));
 	TRY(check_corners(function, "corners", corners, count, tolerance_of(corners, count)));
@@ -93,6 +99,7 @@ scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float
 
 scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_hull";
 	TRY(check_polygon(function, "points", points, count, HULL_POINTS, radius, shape));
 	int indices[HULL_POINTS], corners = hull_corners(points, count, indices);
@@ -111,6 +118,7 @@ scree_status scree_shape_make_hull(const scree_vec* points, int count, float rad
 
 scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* transformed)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_transform";
 	TRY(check_pointer(function, "shape", shape));
 	TRY(check_pointer(function, "transformed", transformed));

@@ -3,6 +3,7 @@
 #include "api/contact/contact_result.h"
 #include "constraints/constraint_kinds.h"
 #include "constraints/contact_report_points.h"
+#include "platform/processor.h"
 #include "step/state_readback.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -167,12 +168,14 @@ static scree_status get(scree_world* world, const char* function, const char* ar
 scree_status scree_world_get_contacts_sized(scree_world* world, scree_contact* contacts, size_t size, int capacity,
                                             int* count)
 {
+	FLOAT_MODE_HERE;
 	return get(world, "scree_world_get_contacts", "contacts", 0, contacts, size, capacity, count);
 }
 
 scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* overlaps, size_t size, int capacity,
                                             int* count)
 {
+	FLOAT_MODE_HERE;
 	return get(world, "scree_world_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, size, capacity, count);
 }
 
@@ -204,6 +207,7 @@ static scree_status list_rows(scree_world* world, const char* function, int foun
 scree_status scree_body_get_contacts_sized(scree_world* world, scree_body body, scree_contact* contacts, size_t size,
                                            int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_contacts";
 	int index = 0, found = 0;
 	TRY(world_check(world, function));

@@ -3,6 +3,7 @@
 #include "api/contact/contact_result.h"
 #include "api/contact/sensor_visits.h"
 #include "api/joint/joint_state.h"
+#include "platform/processor.h"
 #include "world/check.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -119,6 +120,7 @@ static void write_rows(const scree_world* world, const JointEvent* joints, char*
 
 scree_status scree_world_get_events_sized(scree_world* world, scree_events* events)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_events";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "events", events));
@@ -161,6 +163,7 @@ static int compare_pairs(const void* a, const void* b)
 
 scree_status scree_world_approve_contacts(scree_world* world, const bool* approved, int count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_approve_contacts";
 	TRY(world_check(world, function));
 	TRY(check_batch(function, "approved", approved, count));
@@ -182,6 +185,7 @@ scree_status scree_world_approve_contacts(scree_world* world, const bool* approv
 
 scree_status scree_world_set_hit_thresholds(scree_world* world, float speed, float impulse)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_set_hit_thresholds";
 	TRY(world_check(world, function));
 	TRY(check_real((ArgumentPlace){function, "speed", ALONE}, "", speed, 0.0f, FLT_MAX));

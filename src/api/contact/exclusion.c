@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // exclusion.c -- adds, removes and lists pairs of bodies that never touch.
+#include "platform/processor.h"
 #include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/exclusions.h"
@@ -20,6 +21,7 @@ static scree_status check_pair(const scree_world* world, const char* function, c
 scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, const scree_body* b,
                                        const bool* excluded, int count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_bodies_set_excluded";
 	const char* const arguments[2] = {"a", "b"};
 	int bodies[2];
@@ -37,6 +39,7 @@ scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, 
 
 scree_status scree_body_set_excluded(scree_world* world, scree_body body, scree_body other, bool excluded)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_excluded";
 	const char* const arguments[2] = {"body", "other"};
 	int bodies[2];
@@ -61,6 +64,7 @@ static int compare_bodies(const void* a, const void* b)
 
 scree_status scree_body_get_excluded(scree_world* world, scree_body body, scree_body* others, int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_excluded";
 	int index = 0, listed = 0;
 	TRY(world_check(world, function));

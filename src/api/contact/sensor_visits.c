@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sensor_visits.c -- returns the visits to a sensor.
 #include "api/contact/sensor_visits.h"
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -24,6 +25,7 @@ scree_visit visit_result(const scree_world* world, const Visit* visit)
 scree_status scree_collidable_get_visits_sized(scree_world* world, scree_collidable sensor, scree_visit* visits,
                                                size_t size, int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_get_visits";
 	int index = 0, first;
 	TRY(world_check(world, function));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // blast.c -- computes explosions: an impulse on each dynamic collidable near a position.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -96,6 +97,7 @@ static void swap_lists(scree_world* world)
 
 scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_blast";
 	ArgumentPlace at = {function, "def", ALONE};
 	scree_blast_def local;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // field.c -- creates, changes, destroys and lists fields.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/fields.h"
@@ -80,6 +81,7 @@ static scree_status check_def(const scree_world* world, const char* function, co
 
 scree_status scree_field_create(scree_world* world, const scree_field_def* def, scree_field* field)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_field_create";
 	scree_field_def made;
 	int body;
@@ -101,6 +103,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 
 scree_status scree_field_destroy(scree_world* world, scree_field field)
 {
+	FLOAT_MODE_HERE;
 	int index = 0;
 	TRY(lookup(world, "scree_field_destroy", field, &index));
 	field_remove(world, index);
@@ -111,6 +114,7 @@ bool scree_field_is_valid(const scree_world* world, scree_field field) { return 
 
 scree_status scree_field_set_def(scree_world* world, scree_field field, const scree_field_def* def)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_field_set_def";
 	scree_field_def made;
 	int index = 0, body;
@@ -122,6 +126,7 @@ scree_status scree_field_set_def(scree_world* world, scree_field field, const sc
 
 scree_status scree_field_get_def_sized(const scree_world* world, scree_field field, scree_field_def* def, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_field_get_def";
 	int index = 0;
 	TRY(check_pointer(function, "world", world));
@@ -135,6 +140,7 @@ scree_status scree_field_get_def_sized(const scree_world* world, scree_field fie
 
 scree_status scree_field_set_pose(scree_world* world, scree_field field, scree_pose pose)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_field_set_pose";
 	int index = 0;
 	TRY(lookup(world, function, field, &index));
@@ -146,6 +152,7 @@ scree_status scree_field_set_pose(scree_world* world, scree_field field, scree_p
 
 scree_status scree_field_set_enabled(scree_world* world, scree_field field, bool enabled)
 {
+	FLOAT_MODE_HERE;
 	int index = 0;
 	TRY(lookup(world, "scree_field_set_enabled", field, &index));
 	world->fields.host[index].def.disabled = !enabled;
@@ -155,6 +162,7 @@ scree_status scree_field_set_enabled(scree_world* world, scree_field field, bool
 
 scree_status scree_world_get_fields(const scree_world* world, scree_field* fields, int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_fields";
 	int listed = 0;
 	TRY(check_pointer(function, "world", world));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // joint.c -- creates, destroys and lists joints.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -66,11 +67,13 @@ static scree_status create(scree_world* world, const char* function, const char*
 
 scree_status scree_joints_create(scree_world* world, const scree_joint_def* defs, int count, scree_joint* joints)
 {
+	FLOAT_MODE_HERE;
 	return create(world, "scree_joints_create", "defs", defs, count, joints, false);
 }
 
 scree_status scree_joint_create(scree_world* world, const scree_joint_def* def, scree_joint* joint)
 {
+	FLOAT_MODE_HERE;
 	return create(world, "scree_joint_create", "def", def, 1, joint, true);
 }
 
@@ -103,11 +106,13 @@ static scree_status destroy(scree_world* world, const char* function, const char
 
 scree_status scree_joints_destroy(scree_world* world, const scree_joint* joints, int count)
 {
+	FLOAT_MODE_HERE;
 	return destroy(world, "scree_joints_destroy", "joints", joints, count, false);
 }
 
 scree_status scree_joint_destroy(scree_world* world, scree_joint joint)
 {
+	FLOAT_MODE_HERE;
 	return destroy(world, "scree_joint_destroy", "joint", &joint, 1, true);
 }
 
@@ -129,6 +134,7 @@ static int list(const scree_world* world, int body, scree_joint* joints, int cap
 
 scree_status scree_world_get_joints(const scree_world* world, scree_joint* joints, int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_joints";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_list(function, "joints", joints, capacity, count));
@@ -145,6 +151,7 @@ static int compare_joints(const void* a, const void* b)
 scree_status scree_body_get_joints(const scree_world* world, scree_body body, scree_joint* joints, int capacity,
                                    int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_joints";
 	int index = 0, listed = 0;
 	TRY(check_pointer(function, "world", world));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // joint_change.c -- changes coordinates and frames of joints, and enables joints, one joint or a batch at a time.
+#include "platform/processor.h"
 #include "world/edits.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -78,6 +79,7 @@ static scree_status set_coordinate(const Change* change, ArgumentPlace at, const
 scree_status scree_joints_set_coordinates(scree_world* world, const scree_joint* joints, scree_coordinate which,
                                           const scree_joint_coordinate* values, int count)
 {
+	FLOAT_MODE_HERE;
 	Change change = batch(world, "scree_joints_set_coordinates", "values", joints, count, which);
 	return change_all(&change, values, set_coordinate);
 }
@@ -85,6 +87,7 @@ scree_status scree_joints_set_coordinates(scree_world* world, const scree_joint*
 scree_status scree_joint_set_coordinate(scree_world* world, scree_joint joint, scree_coordinate which,
                                         const scree_joint_coordinate* value)
 {
+	FLOAT_MODE_HERE;
 	Change change = single(world, "scree_joint_set_coordinate", "value", &joint, which);
 	return change_all(&change, value, set_coordinate);
 }
@@ -92,6 +95,7 @@ scree_status scree_joint_set_coordinate(scree_world* world, scree_joint joint, s
 scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint joint, scree_coordinate which,
                                         scree_joint_coordinate* value)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_get_coordinate";
 	int index = 0;
 	TRY(check_pointer(function, "world", world));
@@ -112,6 +116,7 @@ static scree_status set_number(const Change* change, ArgumentPlace at, const voi
 scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joints, scree_coordinate which,
                                       const float* targets, int count)
 {
+	FLOAT_MODE_HERE;
 	Change change = batch(world, "scree_joints_set_targets", "targets", joints, count, which);
 	change.member = offsetof(scree_joint_coordinate, target);
 	return change_all(&change, targets, set_number);
@@ -119,6 +124,7 @@ scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joi
 
 scree_status scree_joint_set_target(scree_world* world, scree_joint joint, scree_coordinate which, float target)
 {
+	FLOAT_MODE_HERE;
 	Change change = single(world, "scree_joint_set_target", "target", &joint, which);
 	change.member = offsetof(scree_joint_coordinate, target);
 	return change_all(&change, &target, set_number);
@@ -127,6 +133,7 @@ scree_status scree_joint_set_target(scree_world* world, scree_joint joint, scree
 scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint* joints, scree_coordinate which,
                                            const float* speeds, int count)
 {
+	FLOAT_MODE_HERE;
 	Change change = batch(world, "scree_joints_set_motor_speeds", "speeds", joints, count, which);
 	change.member = offsetof(scree_joint_coordinate, motor_speed);
 	return change_all(&change, speeds, set_number);
@@ -134,6 +141,7 @@ scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint
 
 scree_status scree_joint_set_motor_speed(scree_world* world, scree_joint joint, scree_coordinate which, float speed)
 {
+	FLOAT_MODE_HERE;
 	Change change = single(world, "scree_joint_set_motor_speed", "speed", &joint, which);
 	change.member = offsetof(scree_joint_coordinate, motor_speed);
 	return change_all(&change, &speed, set_number);
@@ -160,6 +168,7 @@ static scree_status set_frames(const Change* change, ArgumentPlace at, const voi
 scree_status scree_joints_set_frames(scree_world* world, const scree_joint* joints, const scree_pose* frames_a,
                                      const scree_pose* frames_b, int count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_joints_set_frames";
 	Frames frames = {frames_a, frames_b, "frames_a", "frames_b"};
 	Change change = batch(world, function, "frames_a", joints, count, SCREE_ALONG);
@@ -172,6 +181,7 @@ scree_status scree_joints_set_frames(scree_world* world, const scree_joint* join
 
 scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree_pose frame_a, scree_pose frame_b)
 {
+	FLOAT_MODE_HERE;
 	Frames frames = {&frame_a, &frame_b, "frame_a", "frame_b"};
 	Change change = single(world, "scree_joint_set_frames", "frame_a", &joint, SCREE_ALONG);
 	change.moves = true;
@@ -188,12 +198,14 @@ static scree_status set_enabled(const Change* change, ArgumentPlace at, const vo
 
 scree_status scree_joints_set_enabled(scree_world* world, const scree_joint* joints, const bool* enabled, int count)
 {
+	FLOAT_MODE_HERE;
 	Change change = batch(world, "scree_joints_set_enabled", "enabled", joints, count, SCREE_ALONG);
 	return change_all(&change, enabled, set_enabled);
 }
 
 scree_status scree_joint_set_enabled(scree_world* world, scree_joint joint, bool enabled)
 {
+	FLOAT_MODE_HERE;
 	Change change = single(world, "scree_joint_set_enabled", "enabled", &joint, SCREE_ALONG);
 	return change_all(&change, &enabled, set_enabled);
 }

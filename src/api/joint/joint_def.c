@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // joint_def.c -- makes definitions of joints: presets of each type, and frames computed from the poses of bodies.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -87,6 +88,7 @@ static scree_status place(scree_world* world, ArgumentPlace at, const char* memb
 
 scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose)
 {
+	FLOAT_MODE_HERE;
 	ArgumentPlace at = {"scree_joint_def_place", "def", ALONE};
 	TRY(world_check(world, at.function));
 	TRY(check_pointer(at.function, "def", def));
@@ -103,6 +105,7 @@ scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scr
 
 scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, float along)
 {
+	FLOAT_MODE_HERE;
 	ArgumentPlace at = {"scree_joint_def_mount", "def", ALONE};
 	int path = 0, body;
 	TRY(world_check(world, at.function));
@@ -157,6 +160,7 @@ static scree_status measure(scree_world* world, ArgumentPlace at, const scree_jo
 
 scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def)
 {
+	FLOAT_MODE_HERE;
 	ArgumentPlace at = {"scree_joint_def_couple", "def", ALONE};
 	float values[2];
 	TRY(world_check(world, at.function));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // joint_settings.c -- sets and reads settings of one joint.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -15,6 +16,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 
 scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz, float damping_ratio)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_set_stiffness";
 	int index = 0;
 	TRY(lookup(world, function, joint, &index));
@@ -38,6 +40,7 @@ static scree_status lookup_coupling(const scree_world* world, const char* functi
 
 scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_set_ratio";
 	int index = 0;
 	TRY(lookup_coupling(world, function, joint, &index));
@@ -49,6 +52,7 @@ scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float 
 
 scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a, scree_pose base_b)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_set_bases";
 	int index = 0;
 	TRY(lookup_coupling(world, function, joint, &index));
@@ -63,6 +67,7 @@ scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_
 scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque,
                                         bool can_break)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_set_thresholds";
 	int index = 0;
 	TRY(lookup(world, function, joint, &index));
@@ -78,6 +83,7 @@ scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, f
 
 scree_status scree_joint_set_elliptic(scree_world* world, scree_joint joint, bool elliptic)
 {
+	FLOAT_MODE_HERE;
 	int index = 0;
 	TRY(lookup(world, "scree_joint_set_elliptic", joint, &index));
 	world->host_joints[index].def.elliptic = elliptic;
@@ -87,6 +93,7 @@ scree_status scree_joint_set_elliptic(scree_world* world, scree_joint joint, boo
 
 scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides)
 {
+	FLOAT_MODE_HERE;
 	int index = 0;
 	TRY(lookup(world, "scree_joint_set_collide_connected", joint, &index));
 	world->host_joints[index].def.collide_connected = collides;
@@ -96,6 +103,7 @@ scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint j
 
 scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_t user)
 {
+	FLOAT_MODE_HERE;
 	int index = 0;
 	TRY(lookup(world, "scree_joint_set_user", joint, &index));
 	world->host_joints[index].def.user = user;
@@ -104,6 +112,7 @@ scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_
 
 scree_status scree_joint_get_def_sized(const scree_world* world, scree_joint joint, scree_joint_def* def, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_get_def";
 	int index = 0;
 	TRY(check_pointer(function, "world", world));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // joint_state.c -- reads coordinates, forces and events of joints from the device.
 #include "api/joint/joint_state.h"
+#include "platform/processor.h"
 #include "step/state_readback.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -25,6 +26,7 @@ static scree_joint_state state_of(const JointState* row)
 scree_status scree_joints_get_states_sized(scree_world* world, const scree_joint* joints, scree_joint_state* states,
                                            size_t size, int count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_joints_get_states";
 	int low = 0, high = 0;
 	TRY(world_check(world, function));
@@ -92,6 +94,7 @@ scree_joint_event joint_event_result(const scree_world* world, const JointEvent*
 scree_status scree_world_get_joint_events_sized(scree_world* world, scree_joint_event* events, size_t size,
                                                 int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_joint_events";
 	JointEvent* rows = NULL;
 	TRY(world_check(world, function));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // path.c -- creates, destroys and lists paths, and reads their geometry.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -47,6 +48,7 @@ static scree_status check_points(ArgumentPlace at, const scree_path_def* def)
 
 scree_status scree_path_create(scree_world* world, const scree_path_def* def, scree_path* path)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_path_create";
 	ArgumentPlace at = {function, "def", ALONE};
 	scree_path_def local;
@@ -64,6 +66,7 @@ scree_status scree_path_create(scree_world* world, const scree_path_def* def, sc
 
 scree_status scree_path_destroy(scree_world* world, scree_path path)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_path_destroy";
 	ArgumentPlace at = {function, "path", ALONE};
 	int index = 0;
@@ -92,6 +95,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 
 scree_status scree_path_get_length(const scree_world* world, scree_path path, float* length)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_length";
 	int index = 0;
 	TRY(lookup(world, function, path, &index));
@@ -102,6 +106,7 @@ scree_status scree_path_get_length(const scree_world* world, scree_path path, fl
 
 scree_status scree_path_get_pose(const scree_world* world, scree_path path, float along, scree_pose* pose)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_pose";
 	int index = 0;
 	TRY(lookup(world, function, path, &index));
@@ -113,6 +118,7 @@ scree_status scree_path_get_pose(const scree_world* world, scree_path path, floa
 
 scree_status scree_path_get_nearest(const scree_world* world, scree_path path, scree_vec point, float* along)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_nearest";
 	int index = 0;
 	float laps = 0.0f;
@@ -129,6 +135,7 @@ scree_status scree_path_get_nearest(const scree_world* world, scree_path path, s
 scree_status scree_path_get_points(const scree_world* world, scree_path path, scree_vec* points, int capacity,
                                    int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_points";
 	int index = 0;
 	TRY(lookup(world, function, path, &index));
@@ -142,6 +149,7 @@ scree_status scree_path_get_points(const scree_world* world, scree_path path, sc
 
 scree_status scree_path_get_user(const scree_world* world, scree_path path, uint64_t* user)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_user";
 	int index = 0;
 	TRY(lookup(world, function, path, &index));
@@ -152,6 +160,7 @@ scree_status scree_path_get_user(const scree_world* world, scree_path path, uint
 
 scree_status scree_path_set_user(scree_world* world, scree_path path, uint64_t user)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_path_set_user";
 	int index = 0;
 	TRY(world_check(world, function));
@@ -162,6 +171,7 @@ scree_status scree_path_set_user(scree_world* world, scree_path path, uint64_t u
 
 scree_status scree_world_get_paths(const scree_world* world, scree_path* paths, int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_paths";
 	int listed = 0;
 	TRY(check_pointer(function, "world", world));

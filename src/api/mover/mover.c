@@ -3,6 +3,7 @@
 #include "api/mover/mover_slide.h"
 #include "api/mover/swept.h"
 #include "api/query/query_check.h"
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -171,6 +172,7 @@ static scree_status move(MoverCall* call, scree_mover* movers, scree_pose* poses
 
 scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count, float dt)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_movers_move";
 	ArgumentPlace at = {function, "def", ALONE};
 	scree_mover_def local, standard = scree_mover_def_default();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // query_list.c -- answers queries that return all their results in a list.
 #include "api/query/query_check.h"
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/device/auto.h"
 #include "world/failure.h"
@@ -84,6 +85,7 @@ static scree_status list(scree_world* world, const char* function, const QueryRe
 scree_status scree_world_list_rays_sized(scree_world* world, const scree_query_def* def, const scree_ray* rays,
                                          int count, scree_query_results* to, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_list_rays";
 	QueryItems query_items;
 	QueryRequest questions;
@@ -95,6 +97,7 @@ scree_status scree_world_list_rays_sized(scree_world* world, const scree_query_d
 scree_status scree_world_list_shapes_sized(scree_world* world, const scree_query_def* def, const scree_shape* shape,
                                            const scree_probe* probes, int count, scree_query_results* to, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_list_shapes";
 	QueryItems query_items;
 	QueryRequest questions;
@@ -105,6 +108,7 @@ scree_status scree_world_list_shapes_sized(scree_world* world, const scree_query
 
 scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, scree_query_results* to, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_overlap_box";
 	TRY(check_vec((ArgumentPlace){function, "box", ALONE}, ".lower", box.lower, SCREE_MAX_COORDINATE));
 	TRY(check_vec((ArgumentPlace){function, "box", ALONE}, ".upper", box.upper, SCREE_MAX_COORDINATE));

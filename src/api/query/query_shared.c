@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // query_shared.c -- answers queries in device memory that another program fills; the results go to the same memory.
 #include "api/query/query_check.h"
+#include "platform/processor.h"
 #include "world/device/shared_buffers.h"
 #include "world/failure.h"
 #include "world/upload/upload.h"
 
 scree_status scree_world_share_queries(scree_world* world, int file_descriptor, size_t bytes)
 {
+	FLOAT_MODE_HERE;
 	return world_share(world, "scree_world_share_queries", "queries", SHARED_QUERIES,
 	                   &(SharedMemory){.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes});
 }
@@ -50,6 +52,7 @@ static scree_status answer(scree_world* world, QueryRequest* questions, size_t i
 scree_status scree_world_cast_shared_rays(scree_world* world, const scree_query_def* def, size_t rays_offset, int count,
                                           size_t found_offset)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_cast_shared_rays";
 	QueryItems query_items;
 	QueryRequest questions;
@@ -62,6 +65,7 @@ scree_status scree_world_cast_shared_rays(scree_world* world, const scree_query_
 scree_status scree_world_cast_shared_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
                                             size_t probes_offset, int count, size_t found_offset)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_cast_shared_shapes";
 	QueryItems query_items;
 	QueryRequest questions;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // query_single.c -- answers queries with one result each: the first, any, or the nearest collidable.
 #include "api/query/query_check.h"
+#include "platform/processor.h"
 #include "world/check.h"
 #include "world/device/auto.h"
 #include "world/failure.h"
@@ -45,12 +46,14 @@ static scree_status cast_rays(scree_world* world, const char* function, const ch
 scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays, int count,
                                    scree_query_result* found)
 {
+	FLOAT_MODE_HERE;
 	return cast_rays(world, "scree_world_cast_rays", "rays", def, rays, count, found);
 }
 
 scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation,
                                   scree_query_result* found)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_cast_ray";
 	scree_ray ray = {.origin = origin, .translation = translation};
 	TRY(check_vec((ArgumentPlace){function, "origin", ALONE}, "", origin, SCREE_MAX_COORDINATE));
@@ -72,12 +75,14 @@ static scree_status cast_shapes(scree_world* world, const char* function, const 
 scree_status scree_world_cast_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
                                      const scree_probe* probes, int count, scree_query_result* found)
 {
+	FLOAT_MODE_HERE;
 	return cast_shapes(world, "scree_world_cast_shapes", "probes", def, shape, probes, count, found);
 }
 
 scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
                                     scree_vec translation, scree_query_result* found)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_cast_shape";
 	scree_probe probe = {.pose = pose, .translation = translation};
 	TRY(check_pose((ArgumentPlace){function, "pose", ALONE}, "", &pose));
@@ -88,6 +93,7 @@ scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape
 scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def, const scree_shape* shape,
                                       const scree_probe* probes, int count, float distance, scree_query_result* found)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_find_nearest";
 	QueryItems query_items;
 	QueryRequest questions;

@@ -58,6 +58,7 @@ static scree_distance measure(const Pair* pair)
 scree_status scree_shapes_get_distance(const scree_shape* a, scree_pose pose_a, const scree_shape* b, scree_pose pose_b,
                                        scree_distance* distance)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shapes_get_distance";
 	Pair pair;
 	TRY(check_pointer(function, "distance", distance));
@@ -65,10 +66,8 @@ scree_status scree_shapes_get_distance(const scree_shape* a, scree_pose pose_a, 
 	TRY(set_side(function, "b", "pose_b", b, &pose_b, &pair.b));
 	pair.pose_a = pose_a;
 	pair.pose_b = pose_b;
-	FloatMode mode = float_mode_enter();
 	place(&pair);
 	*distance = measure(&pair);
-	float_mode_leave(mode);
 	return SCREE_OK;
 }
 
@@ -82,7 +81,6 @@ static scree_status cast(const char* function, const char* names[4], const scree
 	TRY(check_vec((ArgumentPlace){function, "translation", ALONE}, "", translation, 2.0f * SCREE_MAX_COORDINATE));
 	pair.pose_a = pose_a;
 	pair.pose_b = pose_b;
-	FloatMode mode = float_mode_enter();
 	place(&pair);
 	Convex convex = sum_convex(&pair.sum, pair.a.radius + pair.b.radius);
 	Vec path = vec_turn_back(vec(pose_a.rotation.c, pose_a.rotation.s), vec(translation.x, translation.y));
@@ -98,13 +96,13 @@ static scree_status cast(const char* function, const char* names[4], const scree
 		found->point = placed_out(&pair, point);
 		found->normal = turned_out(&pair, hit.normal);
 	}
-	float_mode_leave(mode);
 	return SCREE_OK;
 }
 
 scree_status scree_shapes_cast(const scree_shape* a, scree_pose pose_a, const scree_shape* b, scree_pose pose_b,
                                scree_vec translation, scree_query_result* found)
 {
+	FLOAT_MODE_HERE;
 	const char* names[] = {"a", "pose_a", "b", "pose_b"};
 	return cast("scree_shapes_cast", names, a, pose_a, b, pose_b, translation, found);
 }
@@ -112,6 +110,7 @@ scree_status scree_shapes_cast(const scree_shape* a, scree_pose pose_a, const sc
 scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin, scree_vec translation,
                                   scree_query_result* found)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_cast_ray";
 	const char* names[] = {"shape", "pose", "", "origin"};
 	TRY(check_vec((ArgumentPlace){function, "origin", ALONE}, "", origin, SCREE_MAX_COORDINATE));
@@ -120,6 +119,7 @@ scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scr
 
 scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scree_vec point, bool* contains)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_contains";
 	TRY(check_pointer(function, "contains", contains));
 	TRY(check_pointer(function, "shape", shape));
@@ -189,6 +189,7 @@ static scree_query_result advance(Pair* pair, const Way* a, const Way* b)
 scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose from_a, scree_pose to_a, const scree_shape* b,
                                      scree_pose from_b, scree_pose to_b, scree_query_result* found)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_shapes_get_impact";
 	Pair pair;
 	TRY(check_pointer(function, "found", found));
@@ -197,8 +198,6 @@ scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose from_a, sc
 	TRY(check_pose((ArgumentPlace){function, "to_a", ALONE}, "", &to_a));
 	TRY(check_pose((ArgumentPlace){function, "to_b", ALONE}, "", &to_b));
 	Way motion_a = motion_of(from_a, to_a), motion_b = motion_of(from_b, to_b);
-	FloatMode mode = float_mode_enter();
 	*found = advance(&pair, &motion_a, &motion_b);
-	float_mode_leave(mode);
 	return SCREE_OK;
 }

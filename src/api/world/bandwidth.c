@@ -13,6 +13,7 @@
 
 scree_status scree_world_get_traffic_sized(scree_world* world, scree_traffic* traffic, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_traffic";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "traffic", traffic));
@@ -38,6 +39,7 @@ static scree_status time_copies(Backend* b, size_t bytes, double* bandwidth)
 
 scree_status scree_world_measure_bandwidth(scree_world* world, double* bandwidth)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_measure_bandwidth";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "bandwidth", bandwidth));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // counters.c -- returns counters and timings of the last step.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/pool_read.h"
@@ -7,6 +8,7 @@
 
 scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* counters, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_counters";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "counters", counters));
@@ -43,6 +45,7 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 
 scree_status scree_world_get_timings_sized(scree_world* world, scree_timings* timings, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_timings";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "timings", timings));

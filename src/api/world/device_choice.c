@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // device_choice.c -- lists the devices, and moves a world to another device.
 #include "api/world/compare_bits.h"
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/device/auto.h"
 #include "world/device/devices.h"
@@ -12,6 +13,7 @@
 
 scree_status scree_devices_get_sized(scree_device* devices, size_t size, int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_devices_get";
 	TRY(check_list(function, "devices", devices, capacity, count));
 	int there = devices_list(NULL, 0), listed = there < capacity ? there : capacity;
@@ -33,6 +35,7 @@ const char* scree_opencl_hint(void) { return opencl_devices(NULL, 0) > 0 ? "" : 
 
 scree_status scree_world_move(scree_world* world, const char* device)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_move";
 	TRY(world_check(world, function));
 	TRY(check_device((ArgumentPlace){function, "device", ALONE}, "", device));

@@ -65,6 +65,7 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 
 scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_create";
 	TRY(check_pointer(function, "world", world));
 	*world = NULL;
@@ -73,6 +74,9 @@ scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 	scree_world_def local;
 	def = definition_at(def, 0, &world_definition, &local);
 	TRY(check_def(function, def));
+#ifndef SCREE_SMALL
+	TRY(cpu_self_test(function));
+#endif
 	Backend* backend;
 	TRY(device_open(def, &backend));
 	scree_status status = world_create(def, backend, world);
@@ -85,6 +89,7 @@ scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 
 scree_status scree_world_step(scree_world* world, float dt, int substeps)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_step";
 	TRY(world_check(world, function));
 	if (dt != 0.0f && !(dt >= SHORTEST_STEP && dt <= 1.0f))
@@ -160,6 +165,7 @@ void scree_world_destroy(scree_world* world)
 
 scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity)
 {
+	FLOAT_MODE_HERE;
 	TRY(world_check(world, "scree_world_set_gravity"));
 	TRY(check_vec((ArgumentPlace){"scree_world_set_gravity", "gravity", ALONE}, "", gravity, FLT_MAX));
 	world->def.gravity = gravity;
@@ -168,6 +174,7 @@ scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity)
 
 scree_status scree_world_get_gravity(const scree_world* world, scree_vec* gravity)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_gravity";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_pointer(function, "gravity", gravity));
@@ -181,6 +188,7 @@ int scree_world_get_lanes(const scree_world* world) { return world ? world->back
 
 scree_status scree_world_wait(scree_world* world)
 {
+	FLOAT_MODE_HERE;
 	TRY(world_check(world, "scree_world_wait"));
 	return world_note(world, world->backend->f->wait(world->backend));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // render_rows.c -- copies the rows that a renderer draws to the host, or writes them to memory shared with OpenGL.
+#include "platform/processor.h"
 #include "step/state_readback.h"
 #include "world/check.h"
 #include "world/device/shared_buffers.h"
@@ -34,6 +35,7 @@ scree_sharing scree_world_get_sharing(const scree_world* world)
 
 scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_render_rows";
 	TRY(world_check(world, function));
 	TRY(check_list(function, "rows", rows, capacity, count));
@@ -50,12 +52,14 @@ scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* r
 
 scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes)
 {
+	FLOAT_MODE_HERE;
 	return world_share(world, "scree_world_share_memory", "rows", SHARED_ROWS,
 	                   &(SharedMemory){.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes});
 }
 
 scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_share_opengl";
 	if (buffer == 0)
 		return fail(SCREE_ERROR_INVALID, "%s: buffer is 0, not the name of a buffer object", function);
@@ -71,6 +75,7 @@ void scree_world_unshare(scree_world* world)
 
 scree_status scree_world_write_render_rows(scree_world* world, int* count)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_write_render_rows";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "count", count));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // tuning.c -- reads and sets the tuning of a world.
+#include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/tuning_members.h"
@@ -7,6 +8,7 @@
 
 scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_tuning";
 	TRY(check_pointer(function, "world", world));
 	TRY(check_pointer(function, "tuning", tuning));
@@ -18,6 +20,7 @@ scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning
 
 scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_set_tuning";
 	ArgumentPlace at = {function, "tuning", ALONE};
 	TRY(world_check(world, function));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // world_hash.c -- computes the hash of a world: the sum over the pools of the device, plus data that only the host has.
+#include "platform/processor.h"
 #include "pools/hash_types.h"
 #include "step/state_readback.h"
 #include "world/check.h"
@@ -59,6 +60,7 @@ static uint64_t hidden_hash(const scree_world* world)
 
 scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
 {
+	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_hash";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "hash", hash));

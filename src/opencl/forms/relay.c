@@ -49,8 +49,8 @@ static const struct
 
 bool solve_plain(const OpenCl* d)
 {
-	return !d->constants.step.joints && !STEP_RARE(d->constants.step) && !d->constants.step.bounces &&
-	       !d->constants.step.round;
+	const Step* step = &d->constants.step;
+	return !step->joints && !step->heavy && !STEP_RARE(*step) && !step->bounces && !step->round;
 }
 
 static bool solve_hinges(const OpenCl* d)

@@ -48,7 +48,7 @@ KERNEL(field_gather)
 INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
 {
 	float r = square_root(vec_dot(way, way) + field->softening * field->softening), share = 1.0f;
-	if (!(r > 0.0f))
+	if (!(r >= TINY))
 		return 0.0f;
 	if (field->falloff == FALLOFF_LINEAR)
 		share = maximum(1.0f - quotient(r, field->radius), 0.0f);

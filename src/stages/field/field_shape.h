@@ -50,7 +50,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const
 		Vec arm = vec_add(vec_add(t->arm, vec_turn(t->turn, own)), vec_scale(shape->radius, normal));
 		Vec e = field_passing(field, spot, t, arm);
 		float speed = square_root(vec_dot(e, e)), facing = -vec_dot(normal, e);
-		if (!(facing > 0.0f && speed > 0.0f)) // `speed` may be 0: squares of small numbers may be rounded to 0
+		if (!(facing >= TINY && speed >= TINY)) // `speed` may be 0: squares of small numbers may be rounded to 0
 			continue;
 		float rate = pressure * facing * square_root(vec_dot(edge, edge));
 		float side = field->lift * rate * quotient(vec_cross(normal, e), speed);

@@ -192,17 +192,18 @@ INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
 	Motion motion = p->motion[body];
 	float dt = p->step.dt, slow = dt * (sum->rate * state.inv_mass), slow_w = dt * (sum->rate_w * state.inv_inertia);
 	float linear = slow > 1.0f ? quotient(1.0f, slow) : 1.0f, angular = slow_w > 1.0f ? quotient(1.0f, slow_w) : 1.0f;
-	float fx = linear * sum->drag_x, fy = linear * sum->drag_y, torque = angular * sum->drag_torque;
-	float most = maximum(maximum(absolute(fx), absolute(fy)), absolute(torque)), share = 1.0f;
+	float fx = flush_below(linear * sum->drag_x, ABSORBS), fy = flush_below(linear * sum->drag_y, ABSORBS),
+	      torque = flush_below(angular * sum->drag_torque, ABSORBS), share = 1.0f;
+	float ax = motion.free_x * state.inv_mass * fx, ay = motion.free_y * state.inv_mass * fy,
+	      aw = state.inv_inertia * torque, most = maximum(maximum(absolute(ax), absolute(ay)), absolute(aw));
 	if (most > 1.0e-30f && most < FIELD_MOST)
 	{
-		float unit = quotient(1.0f, most); // scales all forces to at most 1, so that their squares are finite
-		float dx = motion.free_x * state.inv_mass * (unit * fx), dy = motion.free_y * state.inv_mass * (unit * fy);
-		float dw = state.inv_inertia * (unit * torque);
+		float unit = quotient(1.0f, most); // scales all accelerations to at most 1, so that their squares are finite
+		float dx = flush_tiny(unit * ax), dy = flush_tiny(unit * ay), dw = flush_tiny(unit * aw);
 		float gain = unit * sum->drag_x * dx + unit * sum->drag_y * dy + unit * sum->drag_torque * dw;
 		float loss =
 		    sum->rate * (dx * dx + dy * dy) + 2.0f * dw * (sum->rate_x * dy - sum->rate_y * dx) + sum->rate_w * dw * dw;
-		share = dt * loss > gain ? quotient(gain, dt * loss) : 1.0f;
+		share = dt * loss > gain && gain >= ABSORBS ? quotient(gain, dt * loss) : 1.0f;
 	}
 	sum->drag_x = share * fx;
 	sum->drag_y = share * fy;

@@ -38,9 +38,9 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 		float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
 		float most = maximum(bits_float(press.speed), (between ? PRESS_SLOWER : 1.0f) * press.before) + fall;
 		float spin = maximum(press.spun, quotient(most, maximum(p->continuous_body[i].reach, LINEAR_SLOP)));
-		*v = vec_scale(vec_shrink(*v, most), *v);
+		*v = vec_limit(*v, most);
 		*w = within(*w, spin);
-		*d = vec_scale(vec_shrink(*d, p->step.dt * maximum(most, p->step.push_speed)), *d);
+		*d = vec_limit(*d, p->step.dt * maximum(most, p->step.push_speed));
 		raise_int(&p->counters->ways, 1);
 		p->press[i].left = left;
 	}
@@ -86,10 +86,10 @@ KERNEL(finalize)
 		finalize_pose(p, i, d, da);
 
 	// impulses of the last substep may have raised the velocity above its limits
-	v = sweep_velocity(&p->step, v);
+	v = vec_flush_tiny(sweep_velocity(&p->step, v));
 	body->vx = v.x;
 	body->vy = v.y;
-	body->w = within(w, p->step.max_spin);
+	body->w = flush_tiny(within(w, p->step.max_spin));
 	if (forced)
 	{
 		p->motion[i].fx = 0.0f;

@@ -10,6 +10,7 @@
 // Christer Ericson, Real-Time Collision Detection, 2005, 5.1 and 5.3: Voronoi regions, the line against a sphere.
 #ifndef CONVEX_H
 #define CONVEX_H
+#include "dialect/finite.h"
 #include "stages/geometry/manifold_axis.h"
 
 typedef struct
@@ -102,8 +103,8 @@ INLINE ConvexNearest convex_at_corner(const Convex* c, int edge, int corner, Vec
 	ConvexNearest n;
 	n.edge = edge;
 	n.corner = corner;
-	n.separation = distance - c->radius;
-	n.normal = distance > 0.0f ? vec(quotient(d.x, distance), quotient(d.y, distance)) : up;
+	n.separation = flush_tiny(distance - c->radius);
+	n.normal = distance >= TINY ? vec(quotient(d.x, distance), quotient(d.y, distance)) : up;
 	return n;
 }
 
@@ -129,7 +130,7 @@ INLINE ConvexNearest convex_nearest(const Convex* c, Vec q)
 	n.normal = convex_normal(c, n.edge);
 	if (n.corner >= 0)
 		return convex_at_corner(c, n.edge, n.corner, q, n.normal);
-	n.separation = vec_dot(n.normal, vec_sub(q, convex_corner(c, n.edge))) - c->radius;
+	n.separation = flush_tiny(vec_dot(n.normal, vec_sub(q, convex_corner(c, n.edge))) - c->radius);
 	return n;
 }
 
@@ -150,7 +151,7 @@ INLINE ConvexHit convex_hit_corner(const Convex* c, int edge, int corner, Vec q,
 	ConvexHit hit = convex_miss();
 	Vec from = vec_sub(q, convex_corner(c, corner));
 	Real closing = -vec_dot(from, path), square = vec_dot(path, path);
-	if (!(closing > 0.0f) || !(square > 0.0f))
+	if (!(closing >= ABSORBS) || !(square >= ABSORBS))
 		return hit;
 	Real middle = quotient(closing, square);
 	Vec passing = vec_add(from, vec_scale(middle, path));
@@ -166,8 +167,8 @@ INLINE ConvexHit convex_hit_corner(const Convex* c, int edge, int corner, Vec q,
 	hit.fraction = fraction;
 	hit.edge = edge;
 	hit.corner = corner;
-	hit.normal = distance > 0.0f ? vec(quotient(at.x, distance), quotient(at.y, distance))
-	                             : vec(quotient(-path.x, length), quotient(-path.y, length));
+	hit.normal = distance >= TINY ? vec(quotient(at.x, distance), quotient(at.y, distance))
+	                              : vec(quotient(-path.x, length), quotient(-path.y, length));
 	return hit;
 }
 
@@ -240,7 +241,8 @@ INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
 	for (int k = 0; c->count > 1 && k < c->count; ++k)
 	{
 		Vec normal = convex_normal(c, k);
-		Real room = vec_dot(normal, vec_sub(convex_corner(c, k), q)) + c->radius, speed = vec_dot(normal, path);
+		Real room = flush_tiny(vec_dot(normal, vec_sub(convex_corner(c, k), q)) + c->radius),
+		     speed = flush_tiny(vec_dot(normal, path));
 		if (speed == 0.0f)
 		{
 			if (room < 0.0f)

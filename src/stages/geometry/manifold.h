@@ -75,7 +75,7 @@ INLINE Manifold no_manifold(void)
 // point of the core of shape a; height, m: distance from this point to the core of shape b along the normal.
 INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature, Real within)
 {
-	Real separation = height - radius_a - radius_b;
+	Real separation = flush_tiny(height - radius_a - radius_b);
 	if (!(separation <= within))
 		return;
 	Vec point = vec_add(from, vec_scale(0.5f * (height + radius_a - radius_b), m->normal));
@@ -268,7 +268,7 @@ INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Fr
 	if (on_b.separation - radius > reach_along(back_reach, shape_normal(b, on_b.edge)))
 		return none;
 
-	Real separation = maximum(on_a.separation, on_b.separation);
+	Real separation = flush_tiny(maximum(on_a.separation, on_b.separation));
 	Real facing = vec_dot(shape_normal(a, on_a.edge), vec_turn(f.rotation, shape_normal(b, on_b.edge)));
 	Real bias = facing < -FACING ? REFERENCE_BIAS : 0.0f;
 	int swap = on_b.separation + bias > on_a.separation;

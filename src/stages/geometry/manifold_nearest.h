@@ -2,7 +2,7 @@
 // manifold_nearest.h -- finds the nearest points of two edges, and their features.
 #ifndef MANIFOLD_NEAREST_H
 #define MANIFOLD_NEAREST_H
-#include "dialect/vec.h"
+#include "dialect/finite.h"
 
 typedef struct // edge of a core; start and end as coordinates along the reference edge and along its normal, m
 {
@@ -25,12 +25,12 @@ INLINE Nearest nearest_to_corner(Edge a, Vec corner, int feature)
 	Nearest n;
 	n.from = a.start;
 	n.from_feature = a.start_feature;
-	if (along > 0.0f && along < square)
+	if (along >= ABSORBS && along < square)
 	{
 		n.from = vec_add(a.start, vec_scale(quotient(along, square), direction));
 		n.from_feature = a.feature;
 	}
-	else if (along > 0.0f)
+	else if (along >= ABSORBS)
 	{
 		n.from = a.end;
 		n.from_feature = a.end_feature;
@@ -38,7 +38,7 @@ INLINE Nearest nearest_to_corner(Edge a, Vec corner, int feature)
 	n.to = corner;
 	n.to_feature = feature;
 	Vec delta = vec_sub(n.to, n.from);
-	n.square = vec_dot(delta, delta);
+	n.square = flush_below(vec_dot(delta, delta), ABSORBS);
 	return n;
 }
 

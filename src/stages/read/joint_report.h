@@ -119,6 +119,14 @@ KERNEL(joint_report)
 		Vec off = vec(state->value[0] - lock[0].target, state->value[1] - lock[1].target);
 		joint_report_force(p, i, modes, axis, off, bend, state);
 	}
+	for (int k = 0; k < 3; ++k)
+	{
+		state->value[k] = flush_tiny(state->value[k]);
+		state->speed[k] = flush_tiny(state->speed[k]);
+	}
+	state->force_x = flush_tiny(state->force_x);
+	state->force_y = flush_tiny(state->force_y);
+	state->torque = flush_tiny(state->torque);
 }
 
 #endif

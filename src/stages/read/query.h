@@ -34,6 +34,8 @@ INLINE int query_ignored(const Pools* p, const Query* query)
 INLINE WorldQuery query_in_world(const Pools* p, int i, int form)
 {
 	Query query = p->query[i];
+	query.a = make_float4(flush_tiny(query.a.x), flush_tiny(query.a.y), flush_tiny(query.a.z), flush_tiny(query.a.w));
+	query.b = make_float2(flush_tiny(query.b.x), flush_tiny(query.b.y));
 	WorldQuery q;
 	q.start = vec(query.a.x, query.a.y);
 	q.turn = vec(1.0f, 0.0f);
@@ -80,10 +82,10 @@ INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec norma
 	Vec turn = vec(seen.c, seen.s);
 	point = vec_turn(turn, point);
 	normal = vec_turn(turn, normal);
-	found->x = seen.x + point.x;
-	found->y = seen.y + point.y;
-	found->normal_x = normal.x;
-	found->normal_y = normal.y;
+	found->x = flush_tiny(seen.x + point.x);
+	found->y = flush_tiny(seen.y + point.y);
+	found->normal_x = flush_tiny(normal.x);
+	found->normal_y = flush_tiny(normal.y);
 }
 
 // Tests point q, which moves by a path, against c: the shape of a leaf, or the sum of both shapes, in the frame of the
@@ -125,8 +127,8 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 {
 	const GLOBAL Attribute *a = p->attribute + seen.attribute, *b = &p->query_plan->shape;
 	Vec axes = vec(seen.c, seen.s);
-	Vec q = vec_turn_back(axes, vec(asked->start.x - seen.x, asked->start.y - seen.y));
-	Vec path = vec_turn_back(axes, asked->path), turn = vec_turn_back(axes, asked->turn), point;
+	Vec q = vec_flush_tiny(vec_turn_back(axes, vec(asked->start.x - seen.x, asked->start.y - seen.y)));
+	Vec path = vec_flush_tiny(vec_turn_back(axes, asked->path)), turn = vec_turn_back(axes, asked->turn), point;
 	Frame f = frame_at(q, turn);
 	ConvexHit hit;
 	if (form == QUERY_RAYS || b->count == 1)
@@ -161,7 +163,7 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 		point = q;
 	}
 	query_place(found, seen, point, hit.normal);
-	found->fraction = hit.fraction;
+	found->fraction = flush_tiny(hit.fraction);
 	found->marks = FOUND_HIT | (hit.inside ? FOUND_INSIDE : 0u);
 	found->collidable = seen.collidable + 1; // + 1: handles count from 1
 	found->generation = p->generation[seen.collidable];
@@ -170,16 +172,16 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 
 // Returns the fraction of a result or, with QUERY_NEAREST, its squared distance; at least `apart`, which is the same
 // value for the leaf's box, because no result is nearer than its box. Except with QUERY_NEAREST, also raises
-// found->fraction to `apart`.
+// found->fraction to `apart`. The result has a lower bound, below which results count as equal.
 INLINE float query_measure(QueryResult* found, int form, float apart)
 {
 	if (form != QUERY_NEAREST)
 	{
-		found->fraction = maximum(found->fraction, apart) + 0.0f;
-		return found->fraction;
+		found->fraction = flush_tiny(maximum(found->fraction, apart));
+		return maximum(found->fraction, TINY);
 	}
 	float separation = maximum(found->fraction, 0.0f);
-	return maximum(separation * separation, apart);
+	return maximum(maximum(separation * separation, apart), ABSORBS);
 }
 
 // Returns whether result a precedes b, the best result so far, if query_measure is the same for both.
@@ -232,7 +234,7 @@ INLINE void query_run(const Pools* p, int i, int form, int mode)
 	WorldQuery asked = query_in_world(p, i, form);
 	QueryResult best = query_nothing(), held[QUERY_HELD];
 	int holds = 0;
-	float limit = form == QUERY_NEAREST ? plan->most * plan->most : 1.0f;
+	float limit = form == QUERY_NEAREST ? maximum(plan->most * plan->most, ABSORBS) : 1.0f;
 	QueryTraversal traversal;
 	query_begin(p, &traversal, query_finite(p->query[i]) ? plan->kinds : 0u);
 	while (traversal.count > 0)

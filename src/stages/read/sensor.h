@@ -167,8 +167,8 @@ INLINE int sensor_visit(const Pools* p, int sensor, WorldShape a, QueryLeaf seen
 		    sensor_time(p, a, b, sweep_between(a, sensor_sweep(p, a, start_a), b, sensor_sweep(p, b, start_b)));
 		left = back > 1.0f ? begin : maximum(1.0f - back, begin);
 	}
-	visit->fraction = minimum(begin, 1.0f);
-	visit->x = left;
+	visit->fraction = flush_tiny(minimum(begin, 1.0f));
+	visit->x = flush_tiny(left);
 	visit->marks = FOUND_HIT | (apart > 0.0f ? 0u : FOUND_INSIDE);
 	return 1;
 }

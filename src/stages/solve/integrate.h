@@ -28,26 +28,23 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	w = number_of(angular * w + h * (b[7] * m[2])); // the limit below makes it finite
 
 	// limits the velocity without the change by constraints: a limited change would not match the stored impulses
-	v = vec_scale(vec_shrink(v, step->max_speed), v);
+	v = vec_limit(v, step->max_speed);
 	w = within(w, splat(step->max_spin));
-	base[0] = v.x;
-	base[1] = v.y;
-	base[2] = w;
-	v.x = v.x + m[6] * contacts.x;
-	v.y = v.y + m[7] * contacts.y;
-	w = w + contacts_w;
-	b[0] = v.x;
-	b[1] = v.y;
-	b[2] = w;
+	base[0] = v.x = flush_tiny(v.x);
+	base[1] = v.y = flush_tiny(v.y);
+	base[2] = w = flush_tiny(w);
+	b[0] = flush_tiny(v.x + m[6] * contacts.x);
+	b[1] = flush_tiny(v.y + m[7] * contacts.y);
+	b[2] = flush_tiny(w + contacts_w);
 }
 
 INLINE void body_move(const Step* step, Real* b, const Real* m)
 {
 	// limits the motion: a rotation beyond half a turn would count as one in the other direction
 	float h = step->h;
-	b[4] = b[4] + h * (m[6] * within(b[0], splat(step->max_speed)));
-	b[5] = b[5] + h * (m[7] * within(b[1], splat(step->max_speed)));
-	b[6] = b[6] + h * within(b[2], splat(step->max_spin));
+	b[4] = flush_tiny(b[4] + h * (m[6] * within(b[0], splat(step->max_speed))));
+	b[5] = flush_tiny(b[5] + h * (m[7] * within(b[1], splat(step->max_speed))));
+	b[6] = flush_tiny(b[6] + h * within(b[2], splat(step->max_spin)));
 }
 
 // argument: 1 in the first substep

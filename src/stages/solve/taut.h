@@ -14,7 +14,7 @@ INLINE void taut_add(const Pools* p, Int body, const Body* b, Real turn, Real pu
 {
 	Real zero = splat(0.0f), row[4];
 	row[0] = row[1] = zero;
-	row[2] = turn + blend(zero, pull, absolute(pull) <= splat(MOST_FLOAT));
+	row[2] = turn + only(pull, absolute(pull) <= splat(MOST_FLOAT));
 	row[3] = b->inv_inertia;
 	scatter_rows4of8((GLOBAL float*)p->body + 4, body, row, b->inv_mass > zero);
 }

@@ -3,6 +3,7 @@
 #include "world/objects/attributes.h"
 #include "platform/error.h"
 #include "world/memory.h"
+#include "world/pool_values.h"
 #include "world/world.h"
 #include <math.h>
 #include <string.h>
@@ -129,18 +130,16 @@ void attribute_item(const scree_world* world, int index, Attribute* item)
 {
 	const scree_attribute_def* def = world->attributes + index;
 	const scree_shape* shape = &def->shape;
-	*item = (Attribute){.radius = shape->radius,
-	                    .count = shape->count,
-	                    .friction = def->friction,
+	*item = (Attribute){.friction = def->friction,
 	                    .restitution = def->restitution,
 	                    .rolling_resistance = def->rolling_resistance,
 	                    .tangent_speed = 0.0f - def->tangent_speed};
+	flush_row(&item->friction, 4);
+	shape_row(shape, item);
 	scree_vec lower = shape->vertices[0], upper = lower;
 	for (int k = 0; k < shape->count; ++k)
 	{
-		scree_vec v = shape->vertices[k], n = shape->normals[k];
-		item->vertices[k] = make_float2(v.x, v.y);
-		item->normals[k] = make_float2(n.x, n.y);
+		scree_vec v = shape->vertices[k];
 		lower = (scree_vec){v.x < lower.x ? v.x : lower.x, v.y < lower.y ? v.y : lower.y};
 		upper = (scree_vec){v.x > upper.x ? v.x : upper.x, v.y > upper.y ? v.y : upper.y};
 	}
@@ -161,6 +160,7 @@ Rule attribute_rule(const scree_world* world, int index)
 	rule.one_way = 1;
 	rule.up_x = (float)(up.x / length);
 	rule.up_y = (float)(up.y / length);
+	flush_row(&rule.up_x, 2);
 	return rule;
 }
 

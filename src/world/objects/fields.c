@@ -99,6 +99,7 @@ static Field field_row(const HostField* host)
 	row.quadratic_drag = def->quadratic_drag;
 	row.spin_drag = def->spin_drag;
 	row.spin_drag_quadratic = def->spin_drag_quadratic;
+	FLUSH_MEMBERS(&row, acceleration_x, spin_drag_quadratic);
 	return row;
 }
 

@@ -236,6 +236,7 @@ static JointEdit joint_edit(const scree_world* world, int index)
 		edit.data.lock[k] = lock_row(def->coordinates + k);
 		edit.data.drive[k] = drive_row(def->coordinates + k);
 	}
+	FLUSH_MEMBERS(&edit.data, modes, path_segments);
 	return edit;
 }
 

@@ -5,6 +5,7 @@
 #include "pools/hash_types.h"
 #include "step/reserve.h"
 #include "world/memory.h"
+#include "world/pool_values.h"
 #include <string.h>
 
 static int place_of(int a, int b) { return a < b ? MATERIAL_PLACE(a, b) : MATERIAL_PLACE(b, a); }
@@ -19,6 +20,7 @@ scree_status material_set(scree_world* world, const char* function, int a, int b
 {
 	Materials* m = &world->materials;
 	Pipeline* pipeline = &world->pipeline;
+	flush_row(&row.friction, 3);
 	MaterialPair old = material_row(world, a, b);
 	if (memcmp(&old, &row, sizeof row) == 0)
 		return SCREE_OK;

@@ -5,6 +5,7 @@
 // same bits. This work is based on: Carl de Boor, A Practical Guide to Splines, 1978: slopes of a spline, and its ends;
 // Michael Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
 #include "world/objects/path_samples.h"
+#include "world/pool_values.h"
 #include <math.h>
 
 #define MOST_TURN 1.0 // rad: maximum of curvature times length to the next sample; cusps have infinite curvature
@@ -153,13 +154,15 @@ static PathSample sample_at(const Cubic* c, double t, double chord_length, doubl
 	Double2 u = stands ? (Double2){d.x / chord_length, d.y / chord_length} : (Double2){v.x / pace, v.y / pace};
 	double bend = stands ? 0.0 : (v.x * a.y - v.y * a.x) / (pace * pace * pace);
 	bend = bend > most ? most : bend < -most ? -most : bend;
-	return (PathSample){.x = (float)(c->from.x + t * (c->m1.x + t * (c->m2.x + t * c->m3.x))),
-	                    .y = (float)(c->from.y + t * (c->m1.y + t * (c->m2.y + t * c->m3.y))),
-	                    .tangent_x = (float)u.x,
-	                    .tangent_y = (float)u.y,
-	                    .along = (float)along,
-	                    .length = (float)length,
-	                    .bend = (float)bend};
+	PathSample sample = {.x = (float)(c->from.x + t * (c->m1.x + t * (c->m2.x + t * c->m3.x))),
+	                     .y = (float)(c->from.y + t * (c->m1.y + t * (c->m2.y + t * c->m3.y))),
+	                     .tangent_x = (float)u.x,
+	                     .tangent_y = (float)u.y,
+	                     .along = (float)along,
+	                     .length = (float)length,
+	                     .bend = (float)bend};
+	FLUSH_MEMBERS(&sample, x, bend);
+	return sample;
 }
 
 void path_sample(const scree_vec* points, int count, bool closed, double* work, PathSample* samples)

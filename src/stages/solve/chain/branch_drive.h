@@ -54,11 +54,11 @@ INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* l
 }
 
 // Returns the impulse of a drive after it has changed by x, limited to the bounds of the drive.
-INLINE float branch_bounded(const JointDrive* d, int holder, float x)
+INLINE float branch_bounded(const Step* step, const JointDrive* d, int holder, float x, float yield)
 {
 	if (holder == HELD_BY_MOTOR)
-		return grip_of(bounded_impulse(d->motor_impulse + x), d->motor_most);
-	float now = bounded_impulse(d->limit_impulse + x);
+		return grip_of(joint_bounded(step, d->motor_impulse + x, yield), d->motor_most);
+	float now = joint_bounded(step, d->limit_impulse + x, yield);
 	return d->limit_impulse > 0.0f ? push_of(now) : -push_of(-now);
 }
 
@@ -87,7 +87,7 @@ INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], 
 		if (holder == HELD_BY_NONE)
 			continue;
 		JointDrive d = joint_drive_load(p, place, k);
-		float now = branch_bounded(&d, holder, x[k]);
+		float now = branch_bounded(&p->step, &d, holder, x[k], joint_yield(&link->c, k));
 		int beyond = holder == HELD_BY_MOTOR ? absolute(now) >= d.motor_most : now == 0.0f;
 		found |= beyond;
 		if (beyond)
@@ -105,7 +105,7 @@ INLINE void branch_drive(const Pools* p, int place, int held, float x[3], ChainL
 		if (holder == HELD_BY_NONE)
 			continue;
 		JointDrive d = joint_drive_load(p, place, k);
-		branch_set(p, place, holder, k, branch_bounded(&d, holder, x[k]), &d, link);
+		branch_set(p, place, holder, k, branch_bounded(&p->step, &d, holder, x[k], joint_yield(&link->c, k)), &d, link);
 		x[k] = 0.0f;
 	}
 }

@@ -47,9 +47,10 @@ INLINE Int chain_damp(const Pools* p, int spot, const ChainLink* link, JointSyst
 	Int damps = chain_damps(p, spot, &link->u);
 	s->yield[2] = blend(s->yield[2], ia + ib + softness, damps);
 	s->soft[2] = blend(s->soft[2], softness, damps);
-	s->goal[2] = blend(s->goal[2], -(joint_speed(c, JOINT_ANGLE) + softness * link->u.impulse_angle), damps);
-	s->cross[1] = blend(s->cross[1], ia * c->lever_a[0] + ib * c->lever_b[0], damps & s->locked[0]);
-	s->cross[2] = blend(s->cross[2], ia * c->lever_a[1] + ib * c->lever_b[1], damps & s->locked[1]);
+	Real goal = flush_tiny(joint_speed(c, JOINT_ANGLE) + softness * link->u.impulse_angle);
+	s->goal[2] = blend(s->goal[2], -goal, damps);
+	s->cross[1] = blend(s->cross[1], joint_yield_turning(c, JOINT_ALONG), damps & s->locked[0]);
+	s->cross[2] = blend(s->cross[2], joint_yield_turning(c, JOINT_ACROSS), damps & s->locked[1]);
 	s->locked[2] = s->locked[2] | damps;
 	return damps;
 }
@@ -60,7 +61,7 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	chain_keep_pose(p, spot, &link->c);
 	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
 	JointSystem s = joint_system(p, chain->begin + spot, pass == PASS_BIAS, most, &link->u, &link->c);
-	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
+	Real locks = splat(0.0f), holds = splat(0.0f);
 	Int slack = chain_damp(p, spot, link, &s);
 	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);
 	CHAIN_PUT(p, d[1], spot, s.cross[0]);
@@ -72,8 +73,8 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	{
 		CHAIN_PUT(p, r[k], spot, s.goal[k]);
 		Int locked = joint_has(&link->u, JOINT_LOCKED(k));
-		locks = locks + blend(zero, splat((float)(1 << k)), k == JOINT_ANGLE ? locked | slack : locked);
-		holds = holds + blend(zero, splat((float)(1 << k)), s.locked[k]);
+		locks = locks + only(splat((float)(1 << k)), k == JOINT_ANGLE ? locked | slack : locked);
+		holds = holds + only(splat((float)(1 << k)), s.locked[k]);
 	}
 	CHAIN_PUT(p, locks, spot, locks);
 	CHAIN_PUT(p, holds, spot, holds);
@@ -110,7 +111,7 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 			Int wanted = (inverse > zero) & ((holds & (1 << i)) != 0) & ((locks & (1 << j)) != 0);
 			Real along = i == JOINT_ANGLE || j == JOINT_ANGLE ? zero : vec_dot(axis[i & 1], other[j & 1]);
 			Real value = sign * (inverse * along + turning * lever[i] * across[j]);
-			CHAIN_PUT(p, l[3 * i + j], spot, blend(zero, value, wanted));
+			CHAIN_PUT(p, l[3 * i + j], spot, flush_element(only(value, wanted)));
 		}
 }
 
@@ -118,7 +119,7 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 INLINE void chain_hold(const Pools* p, int spot, const Real x[3], ChainLink* link)
 {
 	Int turns = joint_has(&link->u, JOINT_LOCKED(JOINT_ANGLE)) | chain_damps(p, spot, &link->u);
-	joint_hold(&link->u, &link->c, x, turns);
+	joint_hold(&p->step, &link->u, &link->c, x, turns);
 }
 
 // Applies the impulses of the solution to the bodies of a joint.

@@ -86,6 +86,7 @@ INLINE void chain_load_kept(const Pools* p, const Chain* chain, int spot, ChainL
 	chain_load(p, chain->begin + spot, link);
 	c->a.inv_inertia = CHAIN_AT(p, step_a, spot);
 	c->b.inv_inertia = CHAIN_AT(p, step_b, spot);
+	c->mass = c->a.inv_mass + c->b.inv_mass;
 	c->axis[0] = vec(CHAIN_AT(p, pose[0], spot), CHAIN_AT(p, pose[1], spot));
 	c->axis[1] = vec(-c->axis[0].y, c->axis[0].x);
 	for (int k = 0; k < 2; ++k)

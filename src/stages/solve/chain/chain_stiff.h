@@ -65,7 +65,7 @@ INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* 
 // larger and finite.
 INLINE Real chain_inertia(Real inverse, Real tension)
 {
-	Real zero = splat(0.0f), more = blend(zero, tension - quotient(1.0f, inverse), inverse > zero);
+	Real zero = splat(0.0f), more = only(tension - quotient(1.0f, inverse), inverse > zero);
 	return blend(inverse, quotient(1.0f, tension), (more > zero) & (more <= splat(MOST_FLOAT)));
 }
 
@@ -80,7 +80,7 @@ INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 	Real t = maximum(minimum(CHAIN_AT(p, tension[0], spot), CHAIN_AT(p, tension[1], spot)), zero), more = t * inverse;
 	Real damping = quotient(t * more, splat(CHAIN_SLOW) + more), least = splat(1.0f / CHAIN_SLACKEST);
 	Int damps = bodies->moves_a & bodies->moves_b & (damping * inverse > least) & (damping <= splat(MOST_FLOAT));
-	return blend(zero, quotient(splat(1.0f), damping), damps);
+	return only(quotient(splat(1.0f), damping), damps);
 }
 
 // Computes the bodies' inertias for the step, the softness of angles, and the bodies shared with the joints before.
@@ -104,9 +104,9 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 	CHAIN_PUT(p, step_a, spot, step_a);
 	CHAIN_PUT(p, step_b, spot, step_b);
 	CHAIN_PUT(p, slack, spot, chain_slack(p, spot, &own));
-	CHAIN_PUT(p, side, spot, blend(zero, one, shared.here_b));
+	CHAIN_PUT(p, side, spot, only(one, shared.here_b));
 	CHAIN_PUT(p, other, spot, blend(one, zero, shared.there_a));
-	CHAIN_PUT(p, inv_mass, spot, blend(blend(zero, mass_b, shared.here_b), mass_a, shared.here_a));
+	CHAIN_PUT(p, inv_mass, spot, blend(only(mass_b, shared.here_b), mass_a, shared.here_a));
 	CHAIN_PUT(p, turns, spot, blend(step_a, step_b, shared.here_b));
 }
 

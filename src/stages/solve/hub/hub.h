@@ -167,7 +167,8 @@ INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 {
 	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
 	float fall[3] = {x < most && x > -most ? x : most, y < most && y > -most ? y : most, 0.0f};
-	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
+	float most_energy = HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
+	return !hub_bears(d) || hub_energy(h, d) <= (most_energy > ABSORBS ? most_energy : ABSORBS);
 }
 
 // Applies the fraction of the responses that minimizes the energy, so no energy is added; after convergence it is 1. It
@@ -179,7 +180,7 @@ INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 	{
 		// products in this order, because squares of large impulses may not be finite
 		float bend = sum[10] + gain[0] * sum[0] + gain[1] * sum[1] + gain[2] * sum[2];
-		if (down > 0.0f && bend > 0.0f && bend <= MOST_FLOAT)
+		if (down >= ABSORBS && bend >= ABSORBS && bend <= MOST_FLOAT)
 			part = down < bend ? quotient(down, bend) : 1.0f;
 		for (int q = 0; q < 3; ++q)
 			h->now[q] = h->free[q] + part * gain[q];

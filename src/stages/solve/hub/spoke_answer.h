@@ -22,15 +22,15 @@ INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want
 	Real zero = splat(0.0f), inverse = load(&spoke_at(p, inverse, m), 0);
 	Real single1 = load(&spoke_at(p, inverse1, m), 0), single2 = load(&spoke_at(p, inverse2, m), 0);
 	Real own1 = inverse * single1, own2 = inverse * single2, cross = own1 * (single2 * load(&spoke_at(p, cross, m), 0));
-	Real first = cross * want2 - own1 * want1, second = cross * want1 - own2 * want2;
+	Real first = flush_tiny(cross * want2 - own1 * want1), second = flush_tiny(cross * want1 - own2 * want2);
 	Int good1 = first >= zero, good2 = second >= zero, both = good1 & good2;
-	Real alone1 = blend(maximum(-single1 * want1, zero), zero, good2);
-	Real alone2 = blend(maximum(-single2 * want2, zero), zero, good1);
+	Real alone1 = blend(maximum(flush_tiny(-single1 * want1), zero), zero, good2);
+	Real alone2 = blend(maximum(flush_tiny(-single2 * want2), zero), zero, good1);
 	r.impulse[0] = blend(alone1, first, both);
 	r.impulse[1] = blend(alone2, second, both);
-	r.own[0] = blend(blend(zero, single1, alone1 > zero), own1, both);
-	r.own[1] = blend(blend(zero, single2, alone2 > zero), own2, both);
-	r.cross = blend(zero, -cross, both);
+	r.own[0] = blend(only(single1, alone1 > zero), own1, both);
+	r.own[1] = blend(only(single2, alone2 > zero), own2, both);
+	r.cross = only(-cross, both);
 	return r;
 }
 
@@ -43,9 +43,9 @@ INLINE SpokeAnswer spoke_hold(const Pools* p, int m, const Real slope[2], const 
 	Real inverse[2] = {load(&spoke_at(p, inverse1, m), 0), load(&spoke_at(p, inverse2, m), 0)};
 	for (int k = 0; k < 2; ++k)
 	{
-		Real wanted = old[k] - inverse[k] * slope[k];
+		Real wanted = flush_tiny(old[k] - inverse[k] * slope[k]);
 		r.impulse[k] = minimum(maximum(wanted, -limit[k]), limit[k]);
-		r.own[k] = blend(zero, inverse[k], (wanted == r.impulse[k]) & (limit[k] > zero));
+		r.own[k] = only(inverse[k], (wanted == r.impulse[k]) & (limit[k] > zero));
 	}
 	r.cross = zero;
 	return r;
@@ -63,14 +63,15 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	Real cross = load(&spoke_at(p, cross, m), 0);
 	float dx = h->now[0] - h->from[0], dy = h->now[1] - h->from[1], dw = h->now[2] - h->from[2];
 	float fx = h->free[0] - h->from[0], fy = h->free[1] - h->from[1], fw = h->free[2] - h->from[2];
-	Real faster = x * dx + y * dy, at[2] = {slope[0] + (faster + arm[0] * dw), slope[1] + (faster + arm[1] * dw)};
+	Real faster = x * dx + y * dy,
+	     at[2] = {flush_tiny(slope[0] + (faster + arm[0] * dw)), flush_tiny(slope[1] + (faster + arm[1] * dw))};
 
 	SpokeAnswer r;
 	if (spoke_limited(what))
 		r = spoke_hold(p, m, at, old);
 	else
-		r = spoke_push_apart(p, m, at[0] - mass[0] * old[0] - cross * old[1],
-		                     at[1] - mass[1] * old[1] - cross * old[0]);
+		r = spoke_push_apart(p, m, flush_tiny(at[0] - mass[0] * old[0] - cross * old[1]),
+		                     flush_tiny(at[1] - mass[1] * old[1] - cross * old[0]));
 	if (spoke_chooses(p, what))
 	{
 		Real takes[2] = {load(&spoke_at(p, limit1, m), 0), load(&spoke_at(p, limit2, m), 0)};
@@ -104,7 +105,7 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	for (int q = 0; q < HUB_SUMS; ++q)
 		adds = adds & spoke_adds(h, add[q]);
 	for (int q = 0; q < HUB_SUMS; ++q)
-		sum[q] += blend(splat(0.0f), add[q], adds);
+		sum[q] += only(add[q], adds);
 	store(&spoke_at(p, new1, m), 0, blend(old[0], r.impulse[0], adds));
 	store(&spoke_at(p, new2, m), 0, blend(old[1], r.impulse[1], adds));
 }

@@ -11,8 +11,8 @@
 // The same fraction for restitution. It is smaller, because no later pass restores the impulse that it takes away.
 #define BOUNCE_YIELD 0.001f
 
-#define LEAST_RESISTS 1.0e-37f // 1/kg: a smaller inverse mass of a point counts as 0; 1 / LEAST_RESISTS is finite
-#define HUB_SPEED     1.0e12f  // m/s, rad/s: limit of velocities; a spoke with a higher one gets no impulse
+#define LEAST_RESISTS ABSORBS // 1/kg: a smaller inverse mass of a point counts as 0
+#define HUB_SPEED     1.0e12f // m/s, rad/s: limit of velocities; a spoke with a higher one gets no impulse
 
 // Returns whether a block is friction or rolling resistance, whose impulses have both signs and limits.
 INLINE int spoke_limited(int what) { return what == HUB_FRICTION || what == HUB_ROLL; }
@@ -89,7 +89,7 @@ INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
 	if (what == HUB_NORMAL)
 		return blend(one, zero, pair_waits(spoke_gap(p, i, k), old, rebound));
 	Real total = k ? load(&contact_rare(p, total_impulse2, i), 0) : load(&contact_rare(p, total_impulse1, i), 0);
-	return blend(zero, one, (rebound > zero) & (total > zero));
+	return only(one, (rebound > zero) & (total > zero));
 }
 
 // m/s: Computes the separation velocities of the points of a spoke.
@@ -122,18 +122,18 @@ INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, Spoke
 	spoke_limits(p, i, what, r->limit);
 	for (int k = 0; k < 2; ++k)
 	{
-		r->limit[k] = blend(zero, r->limit[k], r->well);
-		held[k] = blend(zero, limited ? grip_of(r->old[k], r->limit[k]) : r->old[k], r->well);
+		r->limit[k] = only(r->limit[k], r->well);
+		held[k] = only(limited ? grip_of(r->old[k], r->limit[k]) : r->old[k], r->well);
 		beyond[k] = held[k] - r->old[k];
 	}
 	Int adds = spoke_sum(h, s, beyond, push);
 	for (int k = 0; k < 2; ++k)
 	{
-		beyond[k] = blend(zero, beyond[k], adds);
+		beyond[k] = only(beyond[k], adds);
 		r->old[k] = blend(r->old[k], held[k], adds);
 	}
 	for (int q = 0; q < 3; ++q)
-		taken[q] += blend(zero, push[q], adds);
+		taken[q] += only(push[q], adds);
 	spoke_push(p, i, *s, beyond[0], beyond[1]);
 	s->v = vec(load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0));
 	s->w = load(&spoke_at(p, w, m), 0);
@@ -154,14 +154,14 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 		// slightly more than the inverse mass itself, so that two points at one place have a solution
 		r->mass[k] = 1.0001f * (s->mass + s->inertia * s->neighbor[k] * s->neighbor[k]) +
 		             yield * (hub_mass + h->inv_inertia * s->hub[k] * s->hub[k]) + soft;
-		r->slope[k] = speed[k] + bias + soft * r->old[k];
+		r->slope[k] = flush_tiny(speed[k] + bias + soft * r->old[k]);
 		r->well = r->well & (absolute(r->slope[k]) <= most) & (r->mass[k] <= splat(MOST_FLOAT));
 	}
-	r->cross = blend(zero, cross, r->well);
+	r->cross = only(cross, r->well);
 	for (int k = 0; k < 2; ++k)
 	{
-		r->mass[k] = blend(zero, r->mass[k], r->well);
-		r->slope[k] = blend(zero, r->slope[k], r->well);
+		r->mass[k] = only(r->mass[k], r->well);
+		r->slope[k] = only(r->slope[k], r->well);
 	}
 }
 
@@ -174,7 +174,7 @@ INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 	if (spoke_limited(what))
 	{
 		// two points with limits resist together: the cross term is added to the mass of each
-		Real together = blend(zero, absolute(r->cross), (r->limit[0] > zero) & (r->limit[1] > zero));
+		Real together = only(absolute(r->cross), (r->limit[0] > zero) & (r->limit[1] > zero));
 		r->mass[0] += together;
 		r->mass[1] += together;
 		store(&spoke_at(p, limit1, m), 0, r->limit[0]);
@@ -188,7 +188,7 @@ INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 		r->cross = takes1 * takes2 * r->cross;
 	}
 	for (int k = 0; k < 2; ++k)
-		r->inverse[k] = blend(zero, quotient(1.0f, r->mass[k]), r->mass[k] > splat(LEAST_RESISTS));
+		r->inverse[k] = only(quotient(1.0f, r->mass[k]), r->mass[k] > splat(LEAST_RESISTS));
 }
 
 // Prepares the problem of a spoke for one block. Adds the impulses on the hub that this removes to `taken`.
@@ -229,15 +229,15 @@ INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[
 		{
 			Real resists =
 			    h->inv_mass + s.mass + h->inv_inertia * s.hub[k] * s.hub[k] + s.inertia * s.neighbor[k] * s.neighbor[k];
-			old[k] = pair_start(&p->step, old[k], blend(splat(0.0f), quotient(1.0f, resists), resists > splat(0.0f)));
+			old[k] = pair_start(&p->step, old[k], only(quotient(1.0f, resists), resists > splat(0.0f)));
 		}
 	}
 	Real one[3];
 	Int adds = spoke_sum(h, &s, old, one);
 	for (int k = 0; k < 2; ++k)
-		old[k] = blend(splat(0.0f), old[k], adds);
+		old[k] = only(old[k], adds);
 	for (int q = 0; q < 3; ++q)
-		push[q] += blend(splat(0.0f), one[q], adds);
+		push[q] += only(one[q], adds);
 	spoke_push(p, i, s, old[0], old[1]);
 	spoke_keep(p, i, what, old[0], old[1]);
 }
