@@ -419,12 +419,14 @@ INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 	c->given_a = vec_blend(c->given_a, then.given_a, wanted);
 }
 
-// Returns an impulse of coordinate k, as bounded_impulse; beside heavy bodies also 0 if it changes the speed of the
-// coordinate by less than TINY. yield: joint_yield of the coordinate.
+// Returns an impulse, or 0 if it changes the speed of a coordinate with this yield by less than TINY; for heavy bodies.
+INLINE Real joint_felt(Real impulse, Real yield) { return only(impulse, absolute(impulse) * yield >= splat(TINY)); }
+
+// Returns an impulse as bounded_impulse does and, beside heavy bodies, as joint_felt.
 INLINE Real joint_bounded(const Step* step, Real impulse, Real yield)
 {
 	impulse = bounded_impulse(impulse);
-	return step->heavy ? only(impulse, absolute(impulse) * yield >= splat(TINY)) : impulse;
+	return step->heavy ? joint_felt(impulse, yield) : impulse;
 }
 
 #endif

@@ -21,7 +21,11 @@ INLINE void joint_hold(const Step* step, Joint* u, JointPose* c, const Real x[3]
 	Real old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle}, now[3];
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		now[k] = joint_bounded(step, old[k] + x[k], joint_yield(c, k));
+	{
+		now[k] = bounded_impulse(old[k] + x[k]);
+		if (step->heavy)
+			now[k] = joint_felt(now[k], joint_yield(c, k));
+	}
 	u->impulse_along = only(now[0], joint_has(u, JOINT_LOCKED(0)));
 	u->impulse_across = only(now[1], joint_has(u, JOINT_LOCKED(1)));
 	u->impulse_angle = only(now[2], turns);

@@ -23,8 +23,8 @@
 #define LEAST_ELEMENT 7.52316385e-37f // 2^-120
 
 // kg: a mass up to this times a denormal velocity is negligible beside an impulse that is not tiny. Contacts of heavier
-// bodies set tiny velocities to 0 before they multiply them, which takes 1 % of a step; as do those of bodies with a
-// moment of inertia above this number, kg m^2.
+// bodies set tiny velocities to 0 before they multiply them, which takes 0.3 % more instructions of a CPU; as do those of
+// bodies with a moment of inertia above this number, kg m^2.
 #define HEAVY_MASS 1.09951163e12f // 2^40
 
 // Returns x, or 0 if x is below `least`; NaN stays NaN. The result is never a negative zero.

@@ -42,6 +42,7 @@ void edits_body(scree_world* world, BodyRow row)
 	flush_row(&row.pose.position.x, 4);
 	flush_row(&row.center.x, 2);
 	flush_row(&row.velocity.linear.x, 3);
+	flush_row((float*)&row.values, sizeof row.values / sizeof(float));
 	p->bodies[waiting->row - 1] = row;
 }
 

@@ -46,7 +46,6 @@ static inline Float4 body_values_row(const BodyValues* values)
 	_Static_assert(sizeof *values <= sizeof(Float4), "a command has four numbers");
 	Float4 row = {0};
 	memcpy(&row, values, sizeof *values);
-	flush_row(&row.x, 4);
 	return row;
 }
 

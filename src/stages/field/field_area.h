@@ -162,9 +162,9 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 			// the three corners enclose the area of an arc of angle `a` if the distance of the middle one is the radius
 			// times (a / 2) / sin(a / 2), computed here as a series in sin^2(a / 2)
 			Vec bisector = vec_add(before, normal);
-			float square = vec_dot(bisector, bisector),
-			      sine = maximum(1.0f - 0.25f * square, 0.0f); // squares of 2 cos(a / 2) and of sin(a / 2)
-			float far = shape->radius * (1.0f + sine * (1.0f / 6.0f) + sine * sine * (1.0f / 9.0f));
+			float square = vec_dot(bisector, bisector);        // square of twice the cosine of a / 2
+			float less = maximum(1.0f - 0.25f * square, 0.0f); // square of the sine of a / 2
+			float far = shape->radius * (1.0f + less * (1.0f / 6.0f) + less * less * (1.0f / 9.0f));
 			out[count++] = vec_add(at, vec_scale(quotient(far, square_root(square)), bisector));
 		}
 		out[count++] = vec_add(at, vec_scale(shape->radius, normal));

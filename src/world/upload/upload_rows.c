@@ -36,7 +36,7 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 		break;
 	case POOL_motion:
 		*(Motion*)item = (Motion){
-#define X(name, least, most, value) .name = flush_tiny(row->values.name),
+#define X(name, least, most, value) .name = row->values.name,
 #include "pools/body_values.def"
 		    .free_x = row->locks & SCREE_LOCK_X ? 0.0f : 1.0f, .free_y = row->locks & SCREE_LOCK_Y ? 0.0f : 1.0f};
 		if (row->disabled)

@@ -124,17 +124,14 @@ INLINE_MEET void branch_own(const Pools* p, const Branch* branch, int pass)
 	group_meet();
 }
 
-// Returns a ratio of two elements; 0 if it is too small to count.
-INLINE float branch_ratio(float x) { return chain_flush(ABSORBS, x); }
-
 // Inverts a symmetric 3 x 3 block (00, 01, 02, 11, 12, 22) by L D L^T. least1, least2: bounds of pivots 2 and 3.
 INLINE void branch_invert(const float m[6], float least1, float least2, float b[6])
 {
-	float d0 = quotient(1.0f, m[0]), l1 = branch_ratio(m[1] * d0), l2 = branch_ratio(m[2] * d0);
+	float d0 = quotient(1.0f, m[0]), l1 = chain_flush(m[1] * d0, ABSORBS), l2 = chain_flush(m[2] * d0, ABSORBS);
 	float pivot1 = m[3] - l1 * m[1], d1 = quotient(1.0f, pivot1 > least1 ? pivot1 : least1);
-	float rest = m[4] - l1 * m[2], l12 = branch_ratio(rest * d1);
+	float rest = m[4] - l1 * m[2], l12 = chain_flush(rest * d1, ABSORBS);
 	float pivot2 = (m[5] - l2 * m[2]) - l12 * rest, d2 = quotient(1.0f, pivot2 > least2 ? pivot2 : least2);
-	float back = branch_ratio(l1 * l12 - l2);
+	float back = chain_flush(l1 * l12 - l2, ABSORBS);
 	b[0] = d0 + l1 * l1 * d1 + back * back * d2;
 	b[1] = -(l1 * d1) - l12 * back * d2;
 	b[2] = back * d2;
@@ -249,7 +246,7 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 		goal[i] = s.goal[i];
 		for (int q = 0; q < 3; ++q)
 			goal[i] = goal[i] - here[i][q] * body.change[q];
-		goal[i] = s.locked[i] ? chain_flush(TINY, goal[i]) : 0.0f;
+		goal[i] = s.locked[i] ? chain_flush(goal[i], TINY) : 0.0f;
 		for (int j = i; j < 3; ++j, ++n)
 		{
 			float soft = i == j ? s.soft[i] : s.soft_cross[i + j - 1];
