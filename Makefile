@@ -8,11 +8,11 @@ build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libc
 	ocl-icd-libopencl1 pocl-opencl-icd
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
 web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs terser
-test_packages := $(view_packages) xvfb twm xdotool git clang-format-14 libcmocka-dev gnuplot-nox ffmpeg jq
+test_packages := $(view_packages) xvfb twm xdotool git clang-format libcmocka-dev gnuplot-nox ffmpeg jq
 ifneq ($(shell uname -m),aarch64)
 test_packages += gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user # for test_aarch64; 56 MB
 endif
-full_packages := $(web_packages) clang libclang-rt-14-dev chromium chromium-driver
+full_packages := $(web_packages) clang libclang-rt-dev chromium chromium-driver
 
 help: ## print this list
 	@echo 'make TARGET, where TARGET is one of'
@@ -81,8 +81,8 @@ lists: ## write the tables of docs/scenes.md and docs/view.md, and the schema of
 	@tools/lists.sh build/tests
 
 format: ## format every C file
-	@tools/packages.sh git clang-format-14
-	@git ls-files --cached --others --exclude-standard '*.c' '*.h' | xargs clang-format-14 -i
+	@tools/packages.sh git clang-format
+	@git ls-files --cached --others --exclude-standard '*.c' '*.h' | xargs clang-format -i
 
 check: packages build ## run the tests that take seconds: documents, format, units; no scenes, no other presets
 	@ctest --preset release --label-exclude parity --parallel $(cores)

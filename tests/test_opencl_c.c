@@ -17,7 +17,7 @@ extern const size_t opencl_program_length;
 static void program_is_standard(void** state)
 {
 	(void)state;
-	static const char* const forms[] = {"", " -DRESIDENT", " -DRESIDENT -DPERSISTENT"};
+	static const char* const forms[] = {"", " -DRESIDENT", " -DRESIDENT -DTILES -DPERSISTENT", " -DCALLS"};
 	if (system("clang --version >/dev/null 2>&1") != 0)
 	{
 		print_message("skipped: there is no clang\n");

@@ -34,6 +34,7 @@ for _ in $(seq 100); do
 	sleep 0.1
 done
 [ -s display ] || skip "Xvfb does not start: $(tail -n 1 xvfb.log)"
+export XDG_SESSION_TYPE=x11 # without it GLFW 3.4 tries Wayland first, and its library complains
 export DISPLAY=":$(cat display)" LIBGL_ALWAYS_SOFTWARE=1
 printf 'RandomPlacement\nNoTitle\n' >twmrc
 LC_ALL=C twm -f twmrc >twm.log 2>&1 & # in other locales it needs fonts that the server may lack

@@ -83,8 +83,9 @@ static int compare_sizes(const void* a, const void* b)
 static void find_size(RenderTables* tables, const Sprites* sprites)
 {
 	scree_attribute_def* defs = malloc(SIZES * sizeof *defs);
-	int moving = sprites->count - sprites->first_moving, every = (moving + SIZES - 1) / SIZES, count = 0;
-	for (int k = sprites->first_moving; defs && k<sprites->count; k += every> 0 ? every : 1)
+	int moving = sprites->count - sprites->first_moving, count = 0;
+	int every = moving > 0 ? (moving + SIZES - 1) / SIZES : 1;
+	for (int k = sprites->first_moving; defs && k < sprites->count; k += every)
 		if (sprites->list[k].body >= 0 && !sprites->list[k].sensor)
 			defs[count++] = tables->attributes[sprites->list[k].attribute];
 	tables->size = tables->density = 0.0f;

@@ -53,20 +53,17 @@ typedef struct
 	float from, until; // s: begin and end of the time in which steps are measured
 } Row;
 
-#define ROPE(name, load, level)                                                                        \
-	{                                                                                                  \
-		name, "ropes", {{"count", "1"}, {"load", load}, {"level", level}}, STRETCH, 20.0f, 1.0f, 20.0f \
-	}
+#define ROPE(load, level) "ropes", {{"count", "1"}, {"load", load}, {"level", level}}, STRETCH, 20.0f, 1.0f, 20.0f
 
 static const Row rows[] = {
-    ROPE("rope 1:1 hanging", "1", "0"),
-    ROPE("rope 10:1 hanging", "10", "0"),
-    ROPE("rope 100:1 hanging", "100", "0"),
-    ROPE("rope 1000:1 hanging", "1000", "0"),
-    ROPE("rope 1:1 swinging", "1", "1"),
-    ROPE("rope 10:1 swinging", "10", "1"),
-    ROPE("rope 100:1 swinging", "100", "1"),
-    ROPE("rope 1000:1 swinging", "1000", "1"),
+    {"rope 1:1 hanging", ROPE("1", "0")},
+    {"rope 10:1 hanging", ROPE("10", "0")},
+    {"rope 100:1 hanging", ROPE("100", "0")},
+    {"rope 1000:1 hanging", ROPE("1000", "0")},
+    {"rope 1:1 swinging", ROPE("1", "1")},
+    {"rope 10:1 swinging", ROPE("10", "1")},
+    {"rope 100:1 swinging", ROPE("100", "1")},
+    {"rope 1000:1 swinging", ROPE("1000", "1")},
     {"bridge", "bridges", {{"count", "1"}, {"loads", "1"}, {"mass", "100"}}, STRETCH, 100.0f, 1.0f, 30.0f},
     {"bridge", "bridges", {{"count", "1"}, {"loads", "1"}, {"mass", "100"}}, SAG, 0.0f, 1.0f, 30.0f},
     {"beam", "beam", {{0}}, SAG, 0.0f, 1.0f, 30.0f},

@@ -47,9 +47,9 @@
 	if ((written) >> pass & 1)                            \
 		store(&rows->name[lane], 0, u->name);
 #define ROW_LOAD_ALL(name, gate, life, inert, read, written) \
-	ROW_UNLESS_PREPARED_##life(if ((read)&IN_PASSES) u->name = load(&rows->name[lane], 0);)
+	ROW_UNLESS_PREPARED_##life(if (IN_PASSES & (read)) u->name = load(&rows->name[lane], 0);)
 #define ROW_STORE_KEPT(name, gate, life, inert, read, written) \
-	ROW_IF_KEPT_##life(if ((written)&IN_PASSES) store(&rows->name[lane], 0, u->name);)
+	ROW_IF_KEPT_##life(if (IN_PASSES & (written)) store(&rows->name[lane], 0, u->name);)
 #define ROW_KEEP(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(kept.name = rows->name[lane];)
 #define ROW_PUT_BACK(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(rows->name[lane] = kept.name;)
 #define ROW_FETCH(name, gate, life, inert, read, written)    ROW_IF_KEPT_##life(fetch_soon(&rows->name[lane]);)

@@ -175,7 +175,7 @@ enum
 };
 #define joint_drive_row(p, k, name, i)       \
 	(((GLOBAL float*)((p)->joint_rare_rows + \
-	                  (i) / MAX_LANES))[((k)*DRIVE_ROW_COUNT + DRIVE_##name) * MAX_LANES + (i) % MAX_LANES])
+	                  (i) / MAX_LANES))[(DRIVE_ROW_COUNT * (k) + DRIVE_##name) * MAX_LANES + (i) % MAX_LANES])
 
 typedef struct // a joint in registers
 {

@@ -16,6 +16,14 @@
 #define INLINE static inline
 #endif
 
+// Marks functions with a barrier, and those that call them. On a device they are always inlined: PoCL would do so itself,
+// and llvmpipe (Mesa 25.0) crashes when it compiles a call of a function with a barrier.
+#ifdef __OPENCL_C_VERSION__
+#define INLINE_MEET static inline __attribute__((always_inline))
+#else
+#define INLINE_MEET INLINE
+#endif
+
 // Inlines long parts of hot kernels with one lane; gcc would call them, and return their results through memory.
 #ifdef CALLS
 #define INLINE_LONG INLINE

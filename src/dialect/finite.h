@@ -31,8 +31,13 @@
 // product of its inverse and a lever arm is not denormal.
 #define MOST_INERTIA 1.26765060e30f // 2^100
 
-// Returns x, or 0 if x is below `least`; NaN stays NaN. The result is never a negative zero.
+// Returns x, or 0 if x is below `least`; NaN stays NaN. The result is never a negative zero. OpenCL on a CPU compares the
+// bits, because PoCL 6 aborts when it compiles some kernels that compare the floats (docs/opencl.md).
+#ifdef CALLS
+INLINE Real flush_below(Real x, float least) { return only(x, (float_bits(x) & 0x7fffffff) >= float_bits(least)); }
+#else
 INLINE Real flush_below(Real x, float least) { return only(x, (absolute(x) < splat(least)) == 0); }
+#endif
 INLINE Real flush_element(Real x) { return flush_below(x, LEAST_ELEMENT); }
 INLINE Real flush_tiny(Real x) { return flush_below(x, TINY); }
 INLINE Vec vec_flush_tiny(Vec v) { return vec(flush_tiny(v.x), flush_tiny(v.y)); }

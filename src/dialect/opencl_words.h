@@ -170,7 +170,7 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 	}                                                             \
 	INLINE int name##_listed(const Pools* p, int i)
 #define GROUP_KERNEL(name)                                                                            \
-	INLINE void name##_group(const Pools* p, int i, LOCAL float* bench);                              \
+	INLINE_MEET void name##_group(const Pools* p, int i, LOCAL float* bench);                         \
 	__kernel void(name)(POOL_ARGUMENTS Step step, Run run)                                            \
 	{                                                                                                 \
 		__local float bench[GROUP_FLOATS];                                                            \
@@ -179,6 +179,6 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 		for (int i = run.begin + (int)get_group_id(0); i < end; i += (int)get_num_groups(0))          \
 			name##_group(&pools, i, bench);                                                           \
 	}                                                                                                 \
-	INLINE void name##_group(const Pools* p, int i, LOCAL float* bench)
+	INLINE_MEET void name##_group(const Pools* p, int i, LOCAL float* bench)
 
 #endif

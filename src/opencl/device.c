@@ -10,6 +10,11 @@
 #define MAX_PLATFORMS 16
 #define MAX_DEVICES   64
 
+// Bound of the size of all arguments of a kernel, bytes: a buffer or an offset, and a capacity, for each kind of item; the
+// step; a run; 64 bytes for those of the relay, the tiles and the persistent kernel. OpenCL 1.2 guarantees 1,024.
+#define ARGUMENT_BYTES (PER_COUNT * (sizeof(cl_mem) + sizeof(int)) + sizeof(Step) + sizeof(Run) + 64)
+_Static_assert(ARGUMENT_BYTES <= 1024, "the arguments of a kernel exceed the minimum of OpenCL 1.2");
+
 #define DEVICE_UUID 0x106a // a constant of cl_khr_device_uuid, which OpenCL 1.2 headers lack
 
 static void platform_text(cl_platform_id platform, cl_platform_info what, char* text, size_t size)
@@ -57,8 +62,8 @@ static void check_support(Device* d)
 	device_text(d->id, CL_DEVICE_VERSION, version, sizeof version);
 	int major = 0, minor = 0;
 	sscanf(version, "OpenCL %d.%d", &major, &minor);
-	size_t arguments = PER_COUNT * (sizeof(cl_mem) + sizeof(int)) + sizeof(Step) + sizeof(Run) + 64;
 	size_t most = (size_t)device_number(d->id, CL_DEVICE_MAX_PARAMETER_SIZE);
+	d->local_memory = (size_t)device_number(d->id, CL_DEVICE_LOCAL_MEM_SIZE);
 	cl_ulong floats = device_number(d->id, CL_DEVICE_SINGLE_FP_CONFIG);
 	d->correct_division = floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
 
@@ -71,8 +76,10 @@ static void check_support(Device* d)
 		snprintf(reason, size, "its driver has no compiler");
 	else if (!device_number(d->id, CL_DEVICE_ENDIAN_LITTLE))
 		snprintf(reason, size, "it is big-endian");
-	else if (most < arguments)
-		snprintf(reason, size, "it takes %zu bytes of kernel arguments; Scree needs %zu", most, arguments);
+	else if (most < ARGUMENT_BYTES)
+		snprintf(reason, size, "it takes %zu bytes of kernel arguments; Scree needs %zu", most, ARGUMENT_BYTES);
+	else if (d->local_memory < LOCAL_LEAST)
+		snprintf(reason, size, "it has %zu bytes of local memory; Scree needs %d", d->local_memory, LOCAL_LEAST);
 	else if (device_number(d->id, CL_DEVICE_MAX_WORK_GROUP_SIZE) < PRIMITIVE_GROUP)
 		snprintf(reason, size, "its work-groups hold fewer than %d items", PRIMITIVE_GROUP);
 	else

@@ -13,6 +13,7 @@ typedef struct
 	bool correct_division;             // supports -cl-fp32-correctly-rounded-divide-sqrt
 	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; imports memory by file descriptor
 	bool compiles_at_launch; // true for PoCL, which has its own cache: programs are not stored in that of cache.c
+	size_t local_memory;     // bytes per work-group
 	bool usable;             // false: Scree cannot use the device with any option; about.reason states the reason
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions; part of the key of the program cache

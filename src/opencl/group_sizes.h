@@ -45,6 +45,10 @@
 #endif
 // Number of columns of the table of tiles: a row has the first place of each color and kind, then the end of the tile.
 #define TILE_COLUMNS (COLORS * CONSTRAINT_KINDS + 1)
+// local memory of a pass over tiles, bytes: 32 per body and one spare body, and a row of the table; all other kernels
+// have at most LOCAL_LEAST, the local memory that each device of OpenCL 1.2 has
+#define TILE_MEMORY (32 * (TILE_BODIES + 1) + 4 * (TILE_COLUMNS + 1))
+#define LOCAL_LEAST 32768
 
 // values of Counters.fault
 #define FAULT_TIMEOUT 1 // a spin-wait reached its limit

@@ -25,6 +25,9 @@ KERNEL_FUNCTION(continuous_plain, continuous, (pools.step.rules = pools.step.ask
 #include "opencl/forms/registers.cl"
 #include "opencl/forms/relay.cl"
 #include "opencl/forms/relay_hub.cl"
+#endif
+// tiles exceed the 32 KiB of local memory that OpenCL 1.2 guarantees; some compilers reject a kernel that exceeds the device's
+#if defined(RESIDENT) && defined(TILES)
 #include "opencl/forms/tiles.cl"
 #include "opencl/forms/tile_pass.cl"
 #endif

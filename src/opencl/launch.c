@@ -8,16 +8,42 @@
 // maximum number of work-groups per compute unit; in longer runs, a work-item executes several items
 #define GROUPS_A_UNIT 64
 
-scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)
+scree_status kernel_group_most(const OpenCl* d, cl_kernel kernel, size_t* most)
+{
+	*most = 0;
+	return CALL(GetKernelWorkGroupInfo, kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof *most, most, NULL);
+}
+
+static scree_status create(OpenCl* d, const char* name, cl_kernel* kernel)
 {
 	cl_int error;
-	kernel->kernel = opencl.CreateKernel(d->program, name, &error);
+	*kernel = opencl.CreateKernel(d->program, name, &error);
 	if (error)
 		return fail(SCREE_ERROR_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", name, opencl_error_name(error),
 		            (int)error);
-	size_t most = 1, multiple = 1;
-	TRY(CALL(GetKernelWorkGroupInfo, kernel->kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
-	         NULL));
+	return SCREE_OK;
+}
+
+scree_status kernel_create_fixed(OpenCl* d, const char* name, size_t group, cl_kernel* kernel)
+{
+	size_t most;
+	TRY(create(d, name, kernel));
+	TRY(kernel_group_most(d, *kernel, &most));
+	if (most < group)
+		return fail(SCREE_ERROR_NO_DEVICE,
+		            "Device %s is refused: its work-groups of kernel %s hold at most %zu work-items; Scree needs %zu.",
+		            d->device.about.name, name, most, group);
+	return SCREE_OK;
+}
+
+scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)
+{
+	size_t most, multiple = 1;
+	TRY(create(d, name, &kernel->kernel));
+	TRY(kernel_group_most(d, kernel->kernel, &most));
+	if (most == 0)
+		return fail(SCREE_ERROR_NO_DEVICE, "Device %s is refused: it cannot run kernel %s.", d->device.about.name,
+		            name);
 	TRY(CALL(GetKernelWorkGroupInfo, kernel->kernel, d->device.id, CL_KERNEL_PREFERRED_WORK_GROUP_SIZE_MULTIPLE,
 	         sizeof multiple, &multiple, NULL));
 	kernel->group = most < largest ? most : largest;

@@ -20,6 +20,12 @@ enum
 	ARGUMENT_FIRST // first argument that only some of these kernels have
 };
 
+// Returns the maximum number of work-items per work-group of a compiled kernel. It depends on the kernel's registers.
+scree_status kernel_group_most(const OpenCl* d, cl_kernel kernel, size_t* most);
+
+// Creates a kernel that runs only in work-groups of `group` work-items. Fails if the device permits fewer.
+scree_status kernel_create_fixed(OpenCl* d, const char* name, size_t group, cl_kernel* kernel);
+
 // Creates a kernel that takes all pools, and sets the size of its work-groups, at most `largest` work-items.
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel);
 

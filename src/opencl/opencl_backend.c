@@ -253,9 +253,10 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	// PoCL compiles a kernel at its first launch, so unused kernels cost no time, and all worlds can share one program
 	bool resident = d->resident || d->device.compiles_at_launch;
 	bool own = arithmetic_setting.rounding != ROUNDING_DEVICE || !d->device.correct_division;
-	snprintf(program_options, sizeof program_options, "%s%s%s%s%s%s", resident ? " -DRESIDENT" : "",
-	         d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "", own ? " -DOWN_ROUNDING" : "",
-	         arithmetic_setting.rounding == ROUNDING_WORSE ? " -DWORSE_ROUNDING" : "",
+	bool tiles = d->device.local_memory >= TILE_MEMORY;
+	snprintf(program_options, sizeof program_options, "%s%s%s%s%s%s%s", resident ? " -DRESIDENT" : "",
+	         resident && tiles ? " -DTILES" : "", d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "",
+	         own ? " -DOWN_ROUNDING" : "", arithmetic_setting.rounding == ROUNDING_WORSE ? " -DWORSE_ROUNDING" : "",
 	         arithmetic_setting.flush ? " -cl-denorms-are-zero" : "");
 	TRY(context_open(d, program_options, options->opengl));
 	cl_int error;
@@ -276,7 +277,11 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 			TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
 		TRY(relay_create(d));
 		TRY(kernel_create(d, "solve_end", KERNEL_GROUP, &d->solve_end));
-		TRY(tiles_open(d));
+		if (tiles)
+			TRY(tiles_open(d));
+		else
+			log_sentence(SCREE_LOG_INFO, "%s has %zu bytes of local memory; the solver does without tiles.",
+			             d->device.about.name, d->device.local_memory);
 	}
 	TRY(primitives_open(d));
 

@@ -155,6 +155,7 @@ typedef struct
 {
 	Kernel kernels[TILE_KERNELS];
 	cl_kernel total, begin, range;
+	bool runs; // true: the device has the local memory and the work-groups that tiles need
 	Scratch buffers[TILE_BUFFERS];
 	bool stale;                 // true: constraints, bodies or leaves may have changed since the last build
 	bool pushed, pushed_before; // true: fields ran since the last solve with tiles; value of `pushed` at the last build

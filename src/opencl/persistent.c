@@ -72,11 +72,15 @@ scree_status persistent_open(OpenCl* d)
 {
 	Persistent* own = &d->persistent;
 	// lower bound of resident work-groups: a compute unit has room for at least one group of the largest size
-	size_t most = 0;
-	TRY(CALL(GetKernelWorkGroupInfo, own->kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
-	         NULL));
+	size_t most;
+	TRY(kernel_group_most(d, own->kernel.kernel, &most));
 	if (own->kernel.group != PERSISTENT_GROUP)
+	{
+		log_sentence(SCREE_LOG_INFO,
+		             "%s: a work-group of the persistent kernel holds %zu work-items; each run is a launch.",
+		             d->device.about.name, own->kernel.group);
 		return SCREE_OK;
+	}
 	own->groups = d->device.about.compute_units * (int)(most / own->kernel.group);
 	own->listed = scree_allocate(PERSISTENT_GROUP * sizeof(Run));
 	if (!own->listed)

@@ -26,7 +26,7 @@ typedef struct // device-wide barrier
 } DeviceBarrier;
 
 // Waits until all work-groups have arrived. Returns false if a spin-wait of any work-group has reached its limit.
-INLINE bool device_barrier(DeviceBarrier* b)
+INLINE_MEET bool device_barrier(DeviceBarrier* b)
 {
 	b->arrivals = (int)((uint)b->arrivals + (uint)get_num_groups(0));
 	barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
@@ -47,7 +47,7 @@ INLINE bool device_barrier(DeviceBarrier* b)
 }
 
 // Waits in the first work-group until all others have arrived at the next barrier. Returns false like device_barrier.
-INLINE bool device_barrier_await(const DeviceBarrier* b)
+INLINE_MEET bool device_barrier_await(const DeviceBarrier* b)
 {
 	if (get_local_id(0) == 0)
 	{
@@ -78,7 +78,7 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 }
 
 // Waits at the device-wide barrier, or at a barrier of this group if `alone`. Returns false if a spin-wait timed out.
-INLINE bool run_barrier(DeviceBarrier* b, bool alone)
+INLINE_MEET bool run_barrier(DeviceBarrier* b, bool alone)
 {
 	if (!alone)
 		return device_barrier(b);
@@ -87,7 +87,7 @@ INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 }
 
 // Sorts like primitives.c, with all work-groups, or with one if `alone`. Returns false if a spin-wait timed out.
-INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench, DeviceBarrier* b,
+INLINE_MEET bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench, DeviceBarrier* b,
                             bool alone)
 {
 	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
@@ -124,7 +124,7 @@ INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL
 	return true;
 }
 
-INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL uint* sum, DeviceBarrier* b)
+INLINE_MEET bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL uint* sum, DeviceBarrier* b)
 {
 	uint n = item_count(run, (__global const int*)p->counters);
 	uint first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
@@ -172,7 +172,7 @@ INLINE Run run_at(__global const int* list, int count, int i)
 
 // Finds the first run with items, from index `next` on; copies it to *chosen and returns its index. Returns `count` if
 // there is none. mine: the run that this work-item holds.
-INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found, LOCAL Run* chosen)
+INLINE_MEET int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found, LOCAL Run* chosen)
 {
 	int lane = (int)get_local_id(0);
 	if (lane == 0)
@@ -188,7 +188,7 @@ INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile 
 }
 
 // Executes a primitive, or a run of the barrier test (function probe). Returns false if a spin-wait reached its limit.
-INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, LOCAL SortMemory* bench,
+INLINE_MEET bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, LOCAL SortMemory* bench,
                           DeviceBarrier* b, bool alone)
 {
 	if (run.kernel_id == PRIMITIVE_SORT)
@@ -199,6 +199,9 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 		probe(probes, b->fault, run.argument);
 	return true;
 }
+
+// fails to compile if the local memory of this kernel, the largest besides the tiles, exceeds LOCAL_LEAST
+typedef char persistent_fits[sizeof(SortMemory) + sizeof(Run) + 8 <= LOCAL_LEAST ? 1 : -1];
 
 // Executes the runs of a list. The list begins with PERSISTENT_HEADER ints. [0]: number of arrivals at barriers; [1]:
 // its value after the last launch; [2]: first run that all groups execute after runs of the first group alone. Then

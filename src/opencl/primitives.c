@@ -51,13 +51,7 @@ scree_status primitives_open(OpenCl* d)
 	    {"scan_place", &d->primitives.scan_place},
 	};
 	for (size_t i = 0; i < sizeof kernels / sizeof *kernels; ++i)
-	{
-		cl_int error;
-		*kernels[i].kernel = opencl.CreateKernel(d->program, kernels[i].name, &error);
-		if (error)
-			return fail(SCREE_ERROR_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", kernels[i].name,
-			            opencl_error_name(error), (int)error);
-	}
+		TRY(kernel_create_fixed(d, kernels[i].name, PRIMITIVE_GROUP, kernels[i].kernel));
 	return buffer_create(d, (size_t)SORT_BLOCKS * SORT_DIGITS * sizeof(cl_uint), &d->primitives.table);
 }
 

@@ -23,7 +23,7 @@ INLINE uint part_size(uint n, uint groups, uint grain)
 }
 
 // Returns the sum of x over the earlier work-items of the group. Sets sum[PRIMITIVE_GROUP - 1] to the sum over all.
-INLINE uint group_scan(LOCAL uint* sum, uint x)
+INLINE_MEET uint group_scan(LOCAL uint* sum, uint x)
 {
 	uint t = (uint)get_local_id(0);
 	uint all = x;
@@ -47,7 +47,7 @@ typedef struct __attribute__((aligned(8))) // local memory of a work-group; sort
 	uint place[SORT_WORDS][SORT_DIGITS];
 } SortMemory;
 
-INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* table, uint block, int shift, uint mask,
+INLINE_MEET void sort_count_part(__global const Word64* key, uint n, __global uint* table, uint block, int shift, uint mask,
                             LOCAL uint* count)
 {
 	uint t = (uint)get_local_id(0);
@@ -67,7 +67,7 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 // Writes the keys of a part to their places, sorted stably by one digit. Every 32 work-items have a bit mask per digit.
 // A work-item sets its bit in the mask of its digit; the number of lower bits that are set is the rank of its key among
 // keys with this digit. Work-item t keeps the next place of digit t.
-INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
+INLINE_MEET void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
 	uint t = (uint)get_local_id(0);
@@ -118,7 +118,7 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 // Sorts up to SORT_FEW keys stably by bits `from` to `end` - 1. The place of a key is the number of smaller keys plus
 // the number of equal keys before it. Each work-group has all keys in local memory; SORT_TEAM work-items count for one
 // key.
-INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
+INLINE_MEET void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
                      LOCAL SortMemory* bench)
 {
 	const uint teams = PRIMITIVE_GROUP / SORT_TEAM;
@@ -147,7 +147,7 @@ INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uin
 	}
 }
 
-INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, LOCAL uint* sum)
+INLINE_MEET void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, LOCAL uint* sum)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);
@@ -165,7 +165,7 @@ INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table
 }
 
 // Replaces each item of a part by the sum of all items before it.
-INLINE void scan_place_part(__global int* scan, uint n, __global const uint* table, uint block, LOCAL uint* sum)
+INLINE_MEET void scan_place_part(__global int* scan, uint n, __global const uint* table, uint block, LOCAL uint* sum)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);

@@ -21,8 +21,8 @@ typedef struct // 32 bytes: a chain, several interleaved chains, or a branch
 	int item;   // in entry i of the pool: index of the first range that item i of a pass solves
 } ChainRange;
 
-#define CHAIN_SPOT(c, k)                                                                           \
-	((c)->first + ((k)&1) * (c)->odds + (((k) >> 1) & ((1 << (c)->bits >> 1) - 1)) * (c)->length + \
+#define CHAIN_SPOT(c, k)                                                                             \
+	((c)->first + (1 & (k)) * (c)->odds + (((k) >> 1) & ((1 << (c)->bits >> 1) - 1)) * (c)->length + \
 	 ((k) >> (c)->bits) * (c)->stride)
 
 typedef struct // 32 bytes: a body of a branch and the joint toward the root; nodes are sorted by distance from the root

@@ -98,7 +98,7 @@ typedef struct // one entry of a run list, which a backend executes in order
 
 // Packs two numbers into Run.argument: `low` below 128, `high` below 2^25.
 #define RUN_PAIR(low, high) ((low) | (int)((Word)(high) << 7))
-#define RUN_LOW(argument)   ((argument)&127)
+#define RUN_LOW(argument)   (127 & (argument))
 #define RUN_HIGH(argument)  ((int)((Word)(argument) >> 7))
 
 #endif

@@ -33,6 +33,10 @@ bool panel_open(GLFWwindow* window, float scale)
 	IMGUI_CHECKVERSION();
 	ImGui::CreateContext();
 	ImGui::GetIO().IniFilename = nullptr; // Dear ImGui writes no file to the user's folder
+#if IMGUI_VERSION_NUM >= 18700
+	// event_queue.c distributes events over frames; a second queue would let keys arrive after the next click
+	ImGui::GetIO().ConfigInputTrickleEventQueue = false;
+#endif
 	wanted_scale = scale;
 	look_open(scale > 0.0f ? scale : find_scale(window), false);
 	return ImGui_ImplGlfw_InitForOpenGL(window, false) && ImGui_ImplOpenGL3_Init("#version 330 core");

@@ -39,7 +39,8 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;
 	// a hub has spokes in many tiles, and a body without collidables is in no tile
-	bool tiles = solve->counters->hubs == 0 && !solve->unlocked && (d->form == FORM_TILES || tiles_pay(d, solve));
+	bool tiles = d->tiles.runs && solve->counters->hubs == 0 && !solve->unlocked &&
+	             (d->form == FORM_TILES || tiles_pay(d, solve));
 	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 

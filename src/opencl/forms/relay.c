@@ -139,9 +139,8 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 // it gets one work-group of one work-item.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
-	size_t most = 0;
-	TRY(CALL(GetKernelWorkGroupInfo, kernel->kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
-	         NULL));
+	size_t most;
+	TRY(kernel_group_most(d, kernel->kernel, &most));
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
 	kernel->group = cpu ? 1 : kernel->group;
 	kernel->groups = cpu ? 1 : d->device.about.compute_units * (int)(most / kernel->group);

@@ -8,6 +8,9 @@ typedef struct // bodies of a tile in local memory
 	float4 moved[TILE_BODIES + 1];  // displacement x, y, rotation, inverse inertia
 } Tile;
 
+// fails to compile if a pass has more local memory than the host expects
+typedef char tile_fits[sizeof(Tile) + 4 * (TILE_COLUMNS + 1) <= TILE_MEMORY ? 1 : -1];
+
 // Loads a body, integrated up to pass q, into place k of a tile. resident: its index, plus TILE_PLAIN if it is plain.
 INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, LOCAL Tile* tile, int k)
 {
@@ -136,7 +139,7 @@ INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, in
 #undef CONSTRAINT_KIND
 }
 
-INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile,
+INLINE_MEET void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile,
                       LOCAL int* range, int q, int pass)
 {
 	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
@@ -214,7 +217,7 @@ INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, B
 
 // Executes pass q of a border constraint, with bodies from their pool or from their previous border constraints.
 // Returns false if a ticket did not arrive.
-INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile LOCAL int* fault)
+INLINE_MEET bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile LOCAL int* fault)
 {
 	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);
 	int pass = schedule_pass(r->substeps, q);
@@ -270,7 +273,7 @@ INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int
 	return true;
 }
 
-INLINE void tile_border_work(const Pools* p, const Relay* r, const Tiles* t, int q, volatile LOCAL int* fault)
+INLINE_MEET void tile_border_work(const Pools* p, const Relay* r, const Tiles* t, int q, volatile LOCAL int* fault)
 {
 	if (get_local_id(0) == 0)
 		*fault = 0;

@@ -39,17 +39,23 @@ static const struct
 scree_status tiles_open(OpenCl* d)
 {
 	TileState* t = &d->tiles;
+	bool passes = true;
 	for (int k = 0; k < TILE_KERNELS; ++k)
+	{
 		TRY(kernel_create(d, kernels[k].name, kernels[k].group, &t->kernels[k]));
-	cl_int error;
-	t->total = opencl.CreateKernel(d->program, "tile_total", &error);
-	TRY(opencl_check("clCreateKernel", error));
-	t->begin = opencl.CreateKernel(d->program, "tile_begin", &error);
-	TRY(opencl_check("clCreateKernel", error));
-	t->range = opencl.CreateKernel(d->program, "tile_range", &error);
+		passes &= kernels[k].group != TILE_GROUP || t->kernels[k].group == TILE_GROUP;
+	}
+	TRY(kernel_create_fixed(d, "tile_total", KERNEL_GROUP, &t->total));
+	TRY(kernel_create_fixed(d, "tile_begin", PRIMITIVE_GROUP, &t->begin));
+	TRY(kernel_create_fixed(d, "tile_range", KERNEL_GROUP, &t->range));
 	t->stale = true;
 	t->border = -1;
-	return opencl_check("clCreateKernel", error);
+	t->runs = passes;
+	if (!passes)
+		log_sentence(SCREE_LOG_INFO,
+		             "%s: a work-group for a tile has too few work-items; the solver does without tiles.",
+		             d->device.about.name);
+	return SCREE_OK;
 }
 
 void tiles_close(OpenCl* d)
@@ -70,7 +76,7 @@ void tiles_close(OpenCl* d)
 
 scree_status tiles_bind(OpenCl* d, Per per)
 {
-	for (int k = 0; k < TILE_KERNELS; ++k)
+	for (int k = 0; k < TILE_KERNELS && d->tiles.runs; ++k)
 		TRY(kernel_bind(d, per, &d->tiles.kernels[k]));
 	return SCREE_OK;
 }
@@ -110,10 +116,7 @@ typedef struct // a kernel argument
 	const void* value;
 } Value;
 
-#define VALUE(x)        \
-	{                   \
-		sizeof(x), &(x) \
-	}
+#define VALUE(x)    ((Value){sizeof(x), &(x)})
 #define VALUES(...) (const Value[]){__VA_ARGS__}, (int)(sizeof((const Value[]){__VA_ARGS__}) / sizeof(Value))
 
 // Launches a kernel over `items` items. values: values of its arguments with indices from `first` on.

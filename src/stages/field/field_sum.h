@@ -190,7 +190,7 @@ INLINE float field_share(float slow) { return slow > 1.0f ? quotient(1.0f, minim
 // Limits strong drag, which would otherwise reverse the velocity relative to the medium within the step. First the
 // linear and the angular part are limited separately. Then both are scaled by a common factor, so that drag never adds
 // energy. Drag below these limits is unchanged, so the speed at which it balances a force is exact.
-INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
+OUT_OF_LINE void field_soften(const Pools* p, int body, FieldForce* sum)
 {
 	BodyState state = p->body[body];
 	Motion motion = p->motion[body];

@@ -23,17 +23,18 @@
 #define PRESS_SLOWER 0.9f // fraction of its speed that a pressed body may keep per step if it is faster than the press
 
 // Way of kind 0 (static) or 1 (kinematic) in the pool contact_press: 6 bits of hops; PRESS_BACK: it leads from b to a.
-#define PRESS_WAY(bits, kind) ((int)((bits) >> (kind)*7 & 127u))
+#define PRESS_WAY(bits, kind) ((int)(127u & ((bits) >> 7 * (kind))))
 #define PRESS_BACK            64
 
 #define PRESS_SPEED 16 // first bit of the press's speed, behind both ways: the upper bits of a float, rounded up
 
 INLINE float press_speed(Word bits) { return bits_float((int)(bits >> PRESS_SPEED << 15)); }
 
-INLINE Word press_bits(const int way[2], float speed)
+// speed: bits of a float. The caller chooses among integers: LLVM 18, as PoCL 6 calls it, aborts at a choice of floats.
+INLINE Word press_bits(const int way[2], int speed)
 {
 	Word bits = (Word)way[0] | (Word)way[1] << 7;
-	return way[1] ? bits | (((Word)float_bits(speed) + 32767u) >> 15 << PRESS_SPEED) : bits;
+	return way[1] ? bits | (((Word)speed + 32767u) >> 15 << PRESS_SPEED) : bits;
 }
 
 // Returns the code of a way of a body: hops, and direction in units of 1/127. The largest code of a body wins, so
@@ -248,8 +249,7 @@ KERNEL(press_hand_on)
 	int slot = press_slot(p, i), way[2] = {0, 0};
 	if (slot < 0)
 		return;
-	float speed = 0.0f;
-	int body_a = contact_row(p, body_a, i), body_b = contact_row(p, body_b, i);
+	int body_a = contact_row(p, body_a, i), body_b = contact_row(p, body_b, i), speed = 0;
 	int kind = p->collidable_kind[p->contact_place_pair[i].y];
 	PressWays a = press_ways(p, body_a), b = a;
 	b.way[0] = b.way[1] = 0;
@@ -263,7 +263,7 @@ KERNEL(press_hand_on)
 		{
 			int to = press_left(a.way[k], facts.normal), back = press_left(b.way[k], vec_neg(facts.normal));
 			way[k] = back > to ? back | PRESS_BACK : to;
-			speed = k && way[k] ? bits_float(back > to ? b.speed : a.speed) : speed;
+			speed = k && way[k] ? (back > to ? b.speed : a.speed) : speed;
 		}
 		if (kind == KIND_STATIC && facts.gap < 0.0f && (way[1] > 0 || a.left > 0))
 			raise_int(&p->press[body_a].depth, float_bits(-facts.gap));

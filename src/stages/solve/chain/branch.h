@@ -71,7 +71,7 @@ INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const Chain
 }
 
 // Adds to each body's velocity the stored changes: from its joint toward the root, then from its other joints in order.
-INLINE void branch_gather(const Pools* p, const Branch* branch)
+INLINE_MEET void branch_gather(const Pools* p, const Branch* branch)
 {
 	group_meet();
 	BRANCH_EACH(k, branch)
@@ -94,7 +94,7 @@ INLINE void branch_gather(const Pools* p, const Branch* branch)
 }
 
 // Runs the warm start; in bias, corrects it for rotated arms. In bias and relax, solves limits, springs and motors.
-INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
+INLINE_MEET void branch_own(const Pools* p, const Branch* branch, int pass)
 {
 	int begin = branch->chain.begin + branch->chain.at.first;
 	if (pass != PASS_RELAX)
@@ -308,7 +308,7 @@ INLINE void branch_down(const Pools* p, const Branch* branch, int k)
 		BRANCH_AT(p, branch, x[q], k) += change[q];
 }
 
-INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has_drives)
+INLINE_MEET void branch_solve(const Pools* p, const Branch* branch, int pass, int has_drives)
 {
 	for (int begin, end = branch->chain.at.count; end > 0; end = begin)
 	{
@@ -327,7 +327,7 @@ INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has
 }
 
 // Sets each drive whose impulse in the solution reaches its bound to this bound. Returns whether there is such a drive.
-INLINE int branch_bound(const Pools* p, const Branch* branch)
+INLINE_MEET int branch_bound(const Pools* p, const Branch* branch)
 {
 	int found = 0;
 	BRANCH_EACH(k, branch)
@@ -346,7 +346,7 @@ INLINE int branch_bound(const Pools* p, const Branch* branch)
 	return found;
 }
 
-INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
+INLINE_MEET void branch_locks(const Pools* p, const Branch* branch, int pass)
 {
 	// drives at their bound are left out and the rest is solved again; the last trial has only unbounded locks
 	int trials = p->step.has_drives ? BRANCH_TRIALS : 0;

@@ -153,7 +153,7 @@ INLINE void chain_half(const Pools* p, const Chain* chain, int odd, int pass, in
 	}
 }
 
-INLINE void chain_locks(const Pools* p, const Chain* chain, int pass)
+INLINE_MEET void chain_locks(const Pools* p, const Chain* chain, int pass)
 {
 	for (int odd = 0; odd < 2; ++odd)
 		CHAIN_EACH(at, chain, odd)
@@ -175,7 +175,7 @@ INLINE Chain chain_number(const Pools* p, int i)
 	return chain;
 }
 
-INLINE void chain_pass(const Pools* p, Chain chain, int pass)
+INLINE_MEET void chain_pass(const Pools* p, Chain chain, int pass)
 {
 	// three turns: even joints, odd joints, even joints. The equations of a joint need its neighbors' velocities after
 	// chain_own, so the equations of odd joints are computed in the second turn, those of even joints in the third.

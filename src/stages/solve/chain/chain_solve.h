@@ -154,7 +154,7 @@ INLINE void chain_back_rows(const Pools* p, const Chain* chain, int top)
 	            chain_neighbor(chain, row, n, top));
 }
 
-INLINE void chain_reduce_joints(const Pools* p, const Chain* chain, int top)
+INLINE_MEET void chain_reduce_joints(const Pools* p, const Chain* chain, int top)
 {
 	group_meet();
 	CHAIN_JOINTS(k, chain, top, 2 * top)
@@ -164,7 +164,7 @@ INLINE void chain_reduce_joints(const Pools* p, const Chain* chain, int top)
 	chain_take(p, chain_spot(chain, k), chain_spot(chain, k - top), chain_spot(chain, k + top));
 }
 
-INLINE void chain_back_joints(const Pools* p, const Chain* chain, int top)
+INLINE_MEET void chain_back_joints(const Pools* p, const Chain* chain, int top)
 {
 	group_meet();
 	CHAIN_JOINTS(k, chain, top, 2 * top)
@@ -202,7 +202,7 @@ INLINE void chain_solve_side(const Pools* p, const Chain* chain)
 	chains_back(p, chain_side_spot(chain, k), chain_side_near(chain, k - top), chain_side_near(chain, k + top));
 }
 
-INLINE void chain_solve_alone(const Pools* p, const Chain* chain)
+INLINE_MEET void chain_solve_alone(const Pools* p, const Chain* chain)
 {
 	int top = 1, rows = LANES > 1 ? chain_rows(chain) : 1;
 	for (; top < rows; top *= 2)
@@ -220,7 +220,7 @@ INLINE void chain_solve_alone(const Pools* p, const Chain* chain)
 }
 
 // Solves the system with a work-group. The members d, l and r of each joint must be set.
-INLINE void chain_solve(const Pools* p, const Chain* chain)
+INLINE_MEET void chain_solve(const Pools* p, const Chain* chain)
 {
 	if (chain_side(chain))
 		chain_solve_side(p, chain);

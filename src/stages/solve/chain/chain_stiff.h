@@ -128,7 +128,7 @@ INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float
 		p->body[joint_row(p, body_b, place)].inv_inertia = inverse_b;
 }
 
-INLINE void chain_stretch(const Pools* p, const Chain* chain)
+INLINE_MEET void chain_stretch(const Pools* p, const Chain* chain)
 {
 	for (int odd = 0; odd < 2; ++odd)
 		CHAIN_EACH(at, chain, odd)

@@ -59,7 +59,7 @@ INLINE void hub_add_columns(int used, int sums, LOCAL float* bench)
 
 // Adds up the columns in local memory by halves, for each sum. A work-group does this in two rounds, each over 16
 // numbers. Barriers are few and depend on no condition; otherwise an OpenCL compiler for CPUs would take many minutes.
-INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB_SUMS])
+INLINE_MEET void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;
 	// 17 instead of 16 avoids bank conflicts in local memory
@@ -203,7 +203,7 @@ INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 
 // Solves a block: computes the impulses of one kind (`what`) of all spokes, and the velocity that these give the hub.
 // The sums are reduced at one place in the code, because each further place costs an OpenCL compiler for CPUs minutes.
-INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, LOCAL float* bench)
+INLINE_MEET void hub_block(const Pools* p, Hub* h, int what, int warm, LOCAL float* bench)
 {
 	float sum[HUB_SUMS] = {0.0f}, d[3];
 	for (int q = 0; q < 3; ++q)
@@ -250,7 +250,7 @@ INLINE int hub_what(const Step* step, int pass, int k)
 }
 
 // Runs a pass over the spokes of a hub, after spoke_begin stored their neighbors.
-INLINE void hub_work(const Pools* p, Hub* h, int pass, LOCAL float* bench)
+INLINE_MEET void hub_work(const Pools* p, Hub* h, int pass, LOCAL float* bench)
 {
 	for (int k = 0, what = 0; what >= 0; ++k)
 	{
@@ -303,7 +303,7 @@ INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 }
 
 // Runs a pass over hub n with a work-group, on the pool body. hub_merge writes the velocity if the hub itself is split.
-INLINE void hub_pass(const Pools* p, int n, int pass, LOCAL float* bench)
+INLINE_MEET void hub_pass(const Pools* p, int n, int pass, LOCAL float* bench)
 {
 	float row[8];
 	read_row8((GLOBAL float*)p->body, hub_span_of(p, n).body, row);
