@@ -423,7 +423,7 @@ INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 INLINE Real joint_felt(Real impulse, Real yield) { return only(impulse, absolute(impulse) * yield >= splat(TINY)); }
 
 // Returns an impulse as bounded_impulse does and, beside heavy bodies, as joint_felt.
-INLINE Real joint_bounded(const Step* step, Real impulse, Real yield)
+OUT_OF_LINE Real joint_bounded(const Step* step, Real impulse, Real yield)
 {
 	impulse = bounded_impulse(impulse);
 	return step->heavy ? joint_felt(impulse, yield) : impulse;

@@ -17,6 +17,7 @@ typedef struct // rows of the drives of one coordinate
 	Real limit_impulse, spring_impulse, motor_impulse;
 } JointDrive;
 
+SMALL_BEGIN
 INLINE JointDrive joint_drive_load(const Pools* p, int i, int k)
 {
 	JointDrive d;
@@ -263,4 +264,5 @@ OUT_OF_LINE void joint_scale(const Pools* p, int i, Joint* u, Real part)
 	}
 }
 
+SMALL_END
 #endif

@@ -14,6 +14,14 @@
 // than a fifth of max_spin. With a smaller minimum, a joint opens again after the impact.
 #define JOINT_BLOW 5.0f
 
+// Sets impulses of the locks that are not felt to 0; for heavy bodies.
+OUT_OF_LINE void joint_hold_felt(const JointPose* c, Real impulse[3])
+{
+	UNROLL
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		impulse[k] = joint_felt(impulse[k], joint_yield(c, k));
+}
+
 // Adds x to the impulses of the locks, clears the impulses of other coordinates, and applies the changes. turns: lanes
 // with a lock of the angle.
 INLINE void joint_hold(const Step* step, Joint* u, JointPose* c, const Real x[3], Int turns)
@@ -21,11 +29,9 @@ INLINE void joint_hold(const Step* step, Joint* u, JointPose* c, const Real x[3]
 	Real old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle}, now[3];
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
-	{
 		now[k] = bounded_impulse(old[k] + x[k]);
-		if (step->heavy)
-			now[k] = joint_felt(now[k], joint_yield(c, k));
-	}
+	if (step->heavy)
+		joint_hold_felt(c, now);
 	u->impulse_along = only(now[0], joint_has(u, JOINT_LOCKED(0)));
 	u->impulse_across = only(now[1], joint_has(u, JOINT_LOCKED(1)));
 	u->impulse_angle = only(now[2], turns);

@@ -29,7 +29,11 @@ INLINE Int blend_int(Int a, Int b, Int c) { return (b & c) | (a & ~c); }
 #endif
 
 INLINE Real only(Real x, Int c) { return (Real)((Int)x & c); }
+#ifdef __wasm_simd128__
+INLINE Real absolute(Real x) { return (Real)wasm_f32x4_abs((v128_t)x); } // clang 14 would store a constant of 16 bytes
+#else
 INLINE Real absolute(Real x) { return (Real)((Int)x & 0x7fffffff); }
+#endif
 #include "dialect/extremes.h"
 
 #define whole(x)         __builtin_convertvector(x, Int)

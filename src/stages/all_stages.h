@@ -35,8 +35,8 @@ SMALL_BEGIN
 #include "stages/solve/overflow.h"
 #include "stages/solve/chain/chain.h"
 #include "stages/solve/chain/branch.h"
-SMALL_END
 #include "stages/solve/hub/hub.h"
+SMALL_END
 #include "stages/finalize/continuous.h"
 #include "stages/finalize/finalize.h"
 SMALL_BEGIN

@@ -3,7 +3,8 @@
 //
 // STRUCTS: each line describes a struct: its name, then member=TYPE for each member. A number before TYPE is the
 // length of an array.
-// FUNCTIONS: each line describes a function: its name, its result, its parameters.
+// FUNCTIONS: each line describes a function: its name, its result, its parameters. The engine exports the function
+// under the number of the line (pack.mjs).
 // Types: i int; u uint32; f float; d double; b bool; B uint8; h uint16; l, L, H: 64 bits as a number, a BigInt or
 // hexadecimal text; every other type is the name of a struct.
 // Results: ! status; s text; v nothing; =T a struct.
@@ -534,10 +535,10 @@ export class Scree {
 }
 
 const table = {};
-for (const line of FUNCTIONS.split("\n")) {
+for (const [name, line] of FUNCTIONS.split("\n").entries()) {
 	const [full, result, ...codes] = line.split(" "), plain = full.replace(/_sized$/, "");
 	const given = codes.filter((code) => !/^[w0#nm?>+c]/.test(code)), optional = [...given].reverse().findIndex((code) => code[0] !== "<");
-	const f = {name: `scree_${full}`, result, codes, given: given.length,
+	const f = {name, result, codes, given: given.length,
 		needed: given.length - (optional < 0 ? given.length : optional)};
 	table[plain] = f;
 	const [noun, ...rest] = plain.split("_"), verb = camel(rest.join("_"));
