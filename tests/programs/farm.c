@@ -65,7 +65,8 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 // Writes the name of the form and the arithmetic of the second world.
 static const char* form_of(const Options* o, char text[40])
 {
-	return form_name(solve_form_setting, (Arithmetic){arithmetic_setting.rounding, o->places[1].flush}, text);
+	return form_name(solve_form_setting,
+	                 (Arithmetic){.rounding = arithmetic_setting.rounding, .flush = o->places[1].flush}, text);
 }
 
 static void report(const Options* o, Pair* pair, Program* program, Program* before, uint64_t seed)
