@@ -63,6 +63,9 @@ static const Option whole = {"whole", 'w', NULL,
                              "measure whole runs, including the time to open the device: docs/auto.md",
                              SWITCH(Options, whole)};
 static const Option names = {"names", 'N', NULL, "print only names, one per line", SWITCH(Options, names)};
+static const Option test = {"test", 'E', NULL,
+                            "test now whether the bits of each device are those of the CPU: docs/determinism.md",
+                            SWITCH(Options, test)};
 static const Option quick = {"quick", 'q', NULL, "fewer and shorter runs: seconds instead of minutes",
                              SWITCH(Options, quick)};
 
@@ -90,6 +93,7 @@ static const OptionRow rows[] = {
     {&whole, BENCH},
     {&option_known, BENCH},
     {&names, SCENES | VALIDATE},
+    {&test, DEVICES},
     {&quick, VALIDATE},
     {&option_help, ALL},
 };

@@ -186,7 +186,7 @@ static void opening_is_waited_for(void** state)
 	for (int moved = 0; moved < 2; ++moved)
 	{
 		scree_world* world = open_pile("auto", false);
-		world->auto_device.opening = async_open_begin(&world->def, second_device, world->auto_device.compare);
+		world->auto_device.opening = async_open_begin(&world->def, second_device, world->auto_device.test);
 		assert_non_null(world->auto_device.opening);
 		if (moved)
 			OK(scree_world_move(world, "cpu"));

@@ -51,6 +51,7 @@ elsewhere='backend/backend.h cpu_open     each device defines its own, in src/cp
 backend/backend.h cpu_devices    the same
 backend/backend.h cpu_self_test  src/cpu/self_test.c
 backend/backend.h opencl_open    the same; src/world/device/devices.c in a build without OpenCL
+backend/backend.h opencl_test    the same
 backend/backend.h opencl_devices the same
 backend/backend.h opencl_hint  the same'
 

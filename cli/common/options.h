@@ -36,7 +36,7 @@ typedef struct
 	int repeats;
 	int queries;       // 0: 1,000,000 queries
 	const char* known; // path of a CSV with expected hashes; null: none
-	bool names, whole, quick;
+	bool names, test, whole, quick;
 	bool help; // true: the command prints its help; the options after --help were not read
 	SceneSetting settings[MAX_SETTINGS];
 	int setting_count;

@@ -179,19 +179,33 @@ SCREE_API const char* scree_sharing_name(scree_sharing sharing);
 
 typedef struct scree_device
 {
-	char name[128];        // valid as scree_world_def.device: "cpu", "opencl:NVIDIA H200"
-	char driver[128];      // platform and driver version; for the CPU: the widest lanes that it supports
-	bool equal_bits;       // true if results are bit-identical to those of the CPU
-	char reason[192];      // if equal_bits is false: the cause and the remedy; otherwise empty
-	int compute_units;     // CPU threads or OpenCL compute units
-	uint64_t memory;       // bytes
+	char name[128];    // valid as scree_world_def.device: "cpu", "opencl:NVIDIA H200"
+	char driver[128];  // platform and driver version; for the CPU: the widest lanes that it supports
+	bool equal_bits;   // false if Scree cannot use the device, or if a test found results that differ from the CPU's;
+	                   // true for a device that is not tested yet (`tested`)
+	char reason[192];  // if equal_bits is false: the cause and the remedy; otherwise empty
+	int compute_units; // CPU threads or OpenCL compute units
+	uint64_t memory;   // bytes
 	scree_sharing sharing; // fastest kind of sharing that the driver supports
 	uint8_t uuid[16];      // device UUID as in OpenGL and Vulkan; zero if the driver does not report it
+	bool tested;           // true: a verdict on the device is stored (scree_device_test), or it is the CPU
+	bool own_rounding;     // if tested: quotients and roots are rounded by integers, as the device does so wrongly
+	bool keeps_denormals; // if tested: the device keeps numbers below 1.2e-38; others treat them as 0, which is allowed
+	int tested_results;   // number of float results that were compared with those of the CPU
+	int tested_worlds;    // number of small worlds whose hashes were compared, each form of execution counted
 } scree_device;
 
 // Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null if capacity is
 // 0) and sets count to the total number. Without OpenCL, scree_opencl_hint returns the remedy.
 static inline scree_status scree_devices_get(scree_device* devices, int capacity, int* count);
+
+// Tests now whether a device has the bits of the CPU, and stores the verdict, also if one is stored already. device:
+// "cpu", "opencl" or "opencl:NAME", as in scree_world_def. Fails with SCREE_ERROR_NO_DEVICE and the first difference.
+//
+// scree_world_create and scree_world_move test a device without a verdict, so that programs need not call this function.
+// The test takes less than a second, but on a GPU the first build of the stages takes minutes. Verdicts are stored per
+// version of the driver and of Scree in the folder of compiled programs (docs/determinism.md).
+SCREE_API scree_status scree_device_test(const char* device);
 
 // Returns one sentence that names what to install to get an OpenCL device, or an empty string if there is one. The
 // library owns the string.
@@ -254,7 +268,7 @@ static inline scree_world_def scree_world_def_default(void);
 
 // Creates a world. The caller owns *world and destroys it with scree_world_destroy. On failure *world is null. Fails
 // with SCREE_ERROR_NO_DEVICE if def->device does not exist, or if its results differ from those of the CPU and
-// allow_unequal_bits is false.
+// allow_unequal_bits is false. An OpenCL device is tested before its first world (scree_device_test).
 //
 // With device "auto" the world starts on the CPU. scree_world_step moves the world to a GPU if steps are faster there,
 // and back if steps are faster on the CPU, and logs both times (SCREE_LOG_INFO). A background thread opens the GPU once

@@ -2,4 +2,4 @@
 // arithmetic.c -- stores the arithmetic that a test has chosen.
 #include "backend/arithmetic.h"
 
-Arithmetic arithmetic_setting = {ROUNDING_DEVICE, false};
+Arithmetic arithmetic_setting = {.rounding = ROUNDING_DEVICE};

@@ -3,6 +3,7 @@
 #ifndef BACKEND_H
 #define BACKEND_H
 #include "backend/run_list.h"
+#include "backend/solve_form.h"
 #include "backend/solve_runs.h"
 #include "backend/tables.h"
 #include "constraints/schedule.h"
@@ -11,6 +12,18 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+typedef struct Backend Backend;
+
+typedef struct // result of a TestWorlds
+{
+	int worlds;           // number of worlds that were compared
+	char difference[136]; // clause that names the first difference, such as "its world ..."; empty: none
+} WorldsTest;
+
+// Steps small worlds on an open device and on the CPU, and compares their hashes. Leaves the device as it was opened,
+// except for its capacities. Fails only if the device fails.
+typedef scree_status TestWorlds(Backend* b, WorldsTest* test);
+
 typedef struct
 {
 	const char* device; // part of the name of a device, or null for the first suitable device
@@ -18,6 +31,7 @@ typedef struct
 	bool allow_unequal_bits, timings;
 	bool gpu;                   // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
 	const scree_opengl* opengl; // OpenGL context with which memory is shared, or null
+	TestWorlds* test;           // OpenCL: test of a device without a verdict; null: it is not tested
 } BackendOptions;
 
 #define READ_ASYNC_BYTES ((size_t)4096)
@@ -71,7 +85,6 @@ typedef struct // upload of many items, a kernel over each item, and readback of
 	const void* context; // argument of check
 } Batch;
 
-typedef struct Backend Backend;
 typedef struct // every function that returns a status sets the error's sentence on failure (fail, src/platform/error.h)
 {
 	// closes the backend after its current work; also called after a failed open
@@ -112,6 +125,8 @@ typedef struct // every function that returns a status sets the error's sentence
 	void (*copy_release)(Backend* b);
 	// copies one block to the other `times` times, on the whole device; returns after the copies
 	scree_status (*copy)(Backend* b, int times);
+	// chooses the form of later solves; returns false if the device lacks the form, or has no other; may be null
+	bool (*form)(Backend* b, SolveForm form);
 } BackendFunctions;
 
 struct Backend
@@ -124,6 +139,7 @@ struct Backend
 	int chain_lanes;                   // number of chains that are interleaved, at least 1
 	int groups;                        // number of work-groups that run at the same time, at least 1
 	bool distant;                      // the device is not the host, so a read takes as long as many runs
+	double test_milliseconds;          // time for which opencl_open has tested the device; 0 if it had a verdict
 	bool skips;                        // the backend skips blocks that are not in `active`
 	scree_sharing sharing;             // SCREE_SHARING_COPIED: functions that use SharedMemory may be null
 	int capacity[PER_COUNT];           // number of items that the pools of each kind can hold
@@ -136,6 +152,10 @@ struct Backend
 // Open a device into *backend, allocated with scree_allocate (src/platform/error.h). On failure *backend is null.
 scree_status cpu_open(const BackendOptions* options, Backend** backend);
 scree_status opencl_open(const BackendOptions* options, Backend** backend);
+
+// Tests the OpenCL device that options->device names, with options->test, and stores the verdict. Fails with
+// SCREE_ERROR_NO_DEVICE if its bits differ from those of the CPU.
+scree_status opencl_test(const BackendOptions* options);
 
 // Computes about a thousand float operations with the code of each number of lanes, once per process. Fails with
 // SCREE_ERROR_NO_DEVICE and names the fault if a result is wrong. function: name of the caller, for the message.

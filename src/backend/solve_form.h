@@ -17,4 +17,6 @@ typedef enum
 // CPUs, too, and let the persistent kernel execute long runs. With FORM_LAUNCHES that kernel executes no runs.
 extern SolveForm solve_form_setting;
 
+extern const char* const solve_form_names[FORM_COUNT]; // "default", "relay", "tiles", "launches"
+
 #endif

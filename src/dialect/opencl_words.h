@@ -3,7 +3,13 @@
 #ifndef OPENCL_WORDS_H
 #define OPENCL_WORDS_H
 
+// FUSED and WORSE_ROUNDING are for tests: they make a device compute as if its compiler ignored the pragma, and as if it
+// did not round quotients and roots correctly, with errors of -2 to 2 ulp.
+#ifdef FUSED
+#pragma OPENCL FP_CONTRACT ON
+#else
 #pragma OPENCL FP_CONTRACT OFF
+#endif
 #undef LANES
 #define LANES  1
 #define GLOBAL __global
@@ -22,22 +28,21 @@ typedef int2 Int2;
 #define leading_zeros(x)        ((int)clz(x))
 #define lowest_bit(x)           (63 - leading_zeros((x) & (~(x) + (ulong)1)))
 
-// Devices that do not round quotients and roots correctly compile OWN_ROUNDING. WORSE_ROUNDING is for tests on other
-// devices: it adds errors of -2 to 2 ulp.
-#ifdef OWN_ROUNDING
 #ifdef WORSE_ROUNDING
 INLINE float worse(float x) { return as_float(as_uint(x) + (as_uint(x) * 2654435761u >> 16) % 5u - 2u); }
 #else
 #define worse(x) (x)
 #endif
+// Devices that do not round quotients and roots correctly compile OWN_ROUNDING.
+#ifdef OWN_ROUNDING
 #define inexact_quotient(a, b) worse((a) / (b))
 #define inexact_root(x)        worse(sqrt(x))
 #include "dialect/own_rounding.h"
 #define quotient(a, b) own_quotient(a, b)
 #define square_root(x) own_root(x)
 #else
-#define quotient(a, b) ((a) / (b))
-#define square_root(x) sqrt(x)
+#define quotient(a, b) worse((a) / (b))
+#define square_root(x) worse(sqrt(x))
 #endif
 
 // Integer atomics: sums, maxima, minima and bit masks, which do not depend on the order of the work-items. Lists that

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// device.c -- lists OpenCL devices, checks which features they support, and chooses a device.
+// device.c -- lists OpenCL devices, checks which features they support, adds stored verdicts, and chooses a device.
 #include "opencl/device.h"
+#include "backend/arithmetic.h"
+#include "backend/solve_form.h"
 #include "opencl/group_sizes.h"
 #include "platform/error.h"
 #include "platform/system.h"
@@ -53,7 +55,14 @@ static void find_sharing(Device* d)
 		opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL);
 }
 
-// Finds out whether a device is usable and has the same bits as the CPU. If not, writes the reason to about.reason.
+bool device_own_rounding(const Device* device)
+{
+	Rounding chosen = arithmetic_setting.rounding;
+	return !device->correct_division || chosen == ROUNDING_OWN || chosen == ROUNDING_WORSE;
+}
+
+// Finds out whether a device is usable. If not, writes the reason to about.reason. The device's description of its
+// arithmetic refuses no device, because it may be wrong; it decides only which words are tested first.
 static void check_support(Device* d)
 {
 	char* reason = d->about.reason;
@@ -66,6 +75,7 @@ static void check_support(Device* d)
 	d->local_memory = (size_t)device_number(d->id, CL_DEVICE_LOCAL_MEM_SIZE);
 	cl_ulong floats = device_number(d->id, CL_DEVICE_SINGLE_FP_CONFIG);
 	d->correct_division = floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
+	d->own_rounding = device_own_rounding(d);
 
 	d->usable = false;
 	if (major * 10 + minor < 12)
@@ -84,20 +94,31 @@ static void check_support(Device* d)
 		snprintf(reason, size, "its work-groups hold fewer than %d items", PRIMITIVE_GROUP);
 	else
 		d->usable = true;
-	if (!d->usable)
-		return;
+	d->about.equal_bits = d->usable;
+}
 
-	if (!(floats & CL_FP_DENORM))
-		snprintf(reason, size, "it flushes denormal numbers to zero");
-	else if (!(floats & CL_FP_ROUND_TO_NEAREST))
-		snprintf(reason, size, "it does not round to nearest");
-	else
-		d->about.equal_bits = true;
-	if (!d->about.equal_bits)
-	{
-		size_t used = strlen(reason);
-		snprintf(reason + used, size - used, "; scree_world_def.allow_unequal_bits runs it anyway");
-	}
+void device_judge(Device* device, const Verdict* verdict)
+{
+	scree_device* about = &device->about;
+	device->own_rounding = verdict->own_rounding;
+	about->tested = true;
+	about->tested_results = verdict->results;
+	about->tested_worlds = verdict->worlds;
+	about->own_rounding = verdict->own_rounding;
+	about->keeps_denormals = verdict->keeps_denormals;
+	about->equal_bits = verdict->equal;
+	if (!verdict->equal)
+		snprintf(about->reason, sizeof about->reason, "%s; scree_world_def.allow_unequal_bits runs it anyway",
+		         verdict->difference);
+}
+
+static void find_verdict(Device* d)
+{
+	// programs for CPUs have the kernels of all forms, or of none; programs for GPUs only if a form needs them
+	d->verdict_key = verdict_key(d->identity, solve_form_setting == FORM_LAUNCHES && !(d->type & CL_DEVICE_TYPE_CPU));
+	Verdict verdict;
+	if (d->usable && verdict_read(d->verdict_key, &verdict))
+		device_judge(d, &verdict);
 }
 
 static void describe(cl_platform_id platform, cl_device_id id, Device* d)
@@ -150,6 +171,9 @@ int device_list(Device* devices, int capacity)
 	mutex_lock(&mutex);
 	int count = list(devices, capacity);
 	mutex_unlock(&mutex);
+	// without the lock, because the log of a damaged verdict may call the library
+	for (int k = 0; k < count && k < capacity; ++k)
+		find_verdict(&devices[k]);
 	return count;
 }
 
@@ -182,12 +206,15 @@ scree_status device_choose(const BackendOptions* options, Device* device)
 	for (int i = 0; i < count && i < MAX_DEVICES; ++i)
 	{
 		const Device* d = &devices[i];
-		if (!has_part(d->about.name + strlen("opencl:"), part) && !has_part(d->platform_name, part))
+		const char* name = d->about.name + strlen("opencl:");
+		bool named = has_part(name, part);
+		if (!named && !has_part(d->platform_name, part))
 			continue;
 		if (options->gpu && !(d->type & CL_DEVICE_TYPE_GPU))
 			continue;
 		bool allowed = d->about.equal_bits || (d->usable && options->allow_unequal_bits);
-		int score = 4 * allowed + 2 * ((d->type & CL_DEVICE_TYPE_GPU) != 0) + d->about.equal_bits;
+		bool whole = named && strlen(part) == strlen(name);
+		int score = 8 * allowed + 4 * whole + 2 * ((d->type & CL_DEVICE_TYPE_GPU) != 0) + d->about.equal_bits;
 		if (score > best_score)
 		{
 			best = d;

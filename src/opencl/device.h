@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// device.h -- lists the OpenCL devices of this machine, and finds out whether each computes the same bits as the CPU.
+// device.h -- lists the OpenCL devices of this machine, with what is known about their bits, and chooses a device.
 #ifndef OPENCL_DEVICE_H
 #define OPENCL_DEVICE_H
 #include "backend/backend.h"
 #include "opencl/loader.h"
+#include "opencl/verdict.h"
 
 typedef struct
 {
@@ -11,10 +12,12 @@ typedef struct
 	cl_device_id id;
 	cl_device_type type;
 	bool correct_division;             // supports -cl-fp32-correctly-rounded-divide-sqrt
+	bool own_rounding;                 // true: quotients and roots are rounded by dialect/own_rounding.h
 	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; imports memory by file descriptor
 	bool compiles_at_launch; // true for PoCL, which has its own cache: programs are not stored in that of cache.c
 	size_t local_memory;     // bytes per work-group
 	bool usable;             // false: Scree cannot use the device with any option; about.reason states the reason
+	Digest verdict_key;      // key of the verdict on the device (verdict.h)
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions; part of the key of the program cache
 	scree_device about; // the entry that scree_devices_get returns
@@ -23,9 +26,16 @@ typedef struct
 // Writes at most `capacity` devices. Returns the total number of devices.
 int device_list(Device* devices, int capacity);
 
+// Returns whether a device without a verdict is tested with own rounding: it does not report correct rounding, or a test
+// has chosen own rounding.
+bool device_own_rounding(const Device* device);
+
+// Sets the members of a device that follow from the verdict on it.
+void device_judge(Device* device, const Verdict* verdict);
+
 // Chooses a device whose name or platform name contains options->device (case ignored). Prefers devices that the
-// options allow, then GPUs, then devices with equal bits. Fails with SCREE_ERROR_NO_DEVICE if no device is found or the
-// best is not allowed.
+// options allow, then a whole name, then GPUs, then devices with equal bits. A device without a verdict counts as one with
+// equal bits; opencl_open tests it. Fails with SCREE_ERROR_NO_DEVICE if no device is found or the best is not allowed.
 scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif

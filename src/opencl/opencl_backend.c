@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // opencl_backend.c -- implements the OpenCL backend: buffers by kind of item, kernels, and one in-order queue.
-#include "backend/arithmetic.h"
+#include "opencl/arithmetic_test.h"
 #include "opencl/batch_transfer.h"
 #include "opencl/buffer.h"
 #include "opencl/compile.h"
@@ -11,6 +11,7 @@
 #include "opencl/forms/form.h"
 #include "opencl/forms/relay.h"
 #include "opencl/forms/tiles.h"
+#include "opencl/gate.h"
 #include "opencl/launch.h"
 #include "opencl/persistent.h"
 #include "opencl/primitives.h"
@@ -230,14 +231,14 @@ static size_t kernel_group(const OpenCl* d, int stage)
 	return kernel_widths[stage] >= WIDTH_GROUP ? HUB_GROUP : KERNEL_GROUP;
 }
 
-static scree_status open_device(Backend* b, const BackendOptions* options)
+static scree_status open_device(Backend* b, const BackendOptions* options, const Device* device)
 {
 	OpenCl* d = b->state = scree_allocate(sizeof *d);
 	if (!d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
 	d->constants.version = 1; // version 0 of new kernels differs from this, so their first launch sets the step
-	TRY(device_choose(options, &d->device));
+	d->device = *device;
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
 	b->traversal_items = d->device.about.compute_units * KERNEL_GROUP;
@@ -249,15 +250,14 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->form = solve_form_setting;
 	d->persistent.any_size = d->form == FORM_RELAY || d->form == FORM_TILES;
 	d->resident = d->persistent.any_size || (d->form == FORM_ANY && !cpu);
-	char program_options[PROGRAM_OPTIONS];
+	char program_options[PROGRAM_OPTIONS], arithmetic[ARITHMETIC_OPTIONS];
 	// PoCL compiles a kernel at its first launch, so unused kernels cost no time, and all worlds can share one program
 	bool resident = d->resident || d->device.compiles_at_launch;
-	bool own = arithmetic_setting.rounding != ROUNDING_DEVICE || !d->device.correct_division;
 	bool tiles = d->device.local_memory >= TILE_MEMORY;
-	snprintf(program_options, sizeof program_options, "%s%s%s%s%s%s%s", resident ? " -DRESIDENT" : "",
+	arithmetic_options(d->device.own_rounding, arithmetic);
+	snprintf(program_options, sizeof program_options, "%s%s%s%s%s", resident ? " -DRESIDENT" : "",
 	         resident && tiles ? " -DTILES" : "", d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "",
-	         own ? " -DOWN_ROUNDING" : "", arithmetic_setting.rounding == ROUNDING_WORSE ? " -DWORSE_ROUNDING" : "",
-	         arithmetic_setting.flush ? " -cl-denorms-are-zero" : "");
+	         arithmetic);
 	TRY(context_open(d, program_options, options->opengl));
 	cl_int error;
 	d->queue =
@@ -300,7 +300,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	return finish(d);
 }
 
-scree_status opencl_open(const BackendOptions* options, Backend** backend)
+static scree_status opencl_open_device(const BackendOptions* options, const Device* device, Backend** backend)
 {
 	static const BackendFunctions functions = {
 	    .close = opencl_close,
@@ -321,6 +321,7 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .copy_reserve = opencl_copy_reserve,
 	    .copy_release = opencl_copy_release,
 	    .copy = opencl_copy,
+	    .form = opencl_form,
 	};
 	*backend = NULL;
 	Backend* b = scree_allocate(sizeof *b);
@@ -328,10 +329,17 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	b->f = &functions;
 	b->distant = true;
-	scree_status status = open_device(b, options);
+	scree_status status = open_device(b, options, device);
 	if (status != SCREE_OK)
 		opencl_close(b);
 	else
 		*backend = b;
 	return status;
 }
+
+scree_status opencl_open(const BackendOptions* options, Backend** backend)
+{
+	return gate_open(options, opencl_open_device, backend);
+}
+
+scree_status opencl_test(const BackendOptions* options) { return gate_test(options, opencl_open_device); }

@@ -46,7 +46,8 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 
 const char* farm_form(const Options* o, char text[40])
 {
-	return form_name(solve_form_setting, (Arithmetic){arithmetic_setting.rounding, o->places[1].flush}, text);
+	return form_name(solve_form_setting,
+	                 (Arithmetic){.rounding = arithmetic_setting.rounding, .flush = o->places[1].flush}, text);
 }
 
 // Shortens a program after which the worlds differ, prints it and writes it to a file. If new worlds do not differ

@@ -7,12 +7,11 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char* const form_names[FORM_COUNT] = {
-    [FORM_ANY] = "default", [FORM_RELAY] = "relay", [FORM_TILES] = "tiles", [FORM_LAUNCHES] = "launches"};
+#define form_names solve_form_names
 
 // second part of a name
 static const char* const rounding_names[ROUNDING_COUNT] = {
-    [ROUNDING_DEVICE] = "", [ROUNDING_OWN] = ",own", [ROUNDING_WORSE] = ",worse"};
+    [ROUNDING_DEVICE] = "", [ROUNDING_OWN] = ",own", [ROUNDING_WORSE] = ",worse", [ROUNDING_WRONG] = ",wrong"};
 
 // third part of a name, if denormals are flushed
 #define FLUSH_NAME ",flush"
@@ -32,7 +31,7 @@ static inline bool form_choose(const char* name)
 	for (int k = 0; k < 2 * FORM_COUNT * ROUNDING_COUNT; ++k)
 	{
 		SolveForm form = (SolveForm)(k / 2 % FORM_COUNT);
-		Arithmetic arithmetic = {(Rounding)(k / 2 / FORM_COUNT), k % 2};
+		Arithmetic arithmetic = {.rounding = (Rounding)(k / 2 / FORM_COUNT), .flush = k % 2};
 		if (strcmp(name, form_name(form, arithmetic, text)) != 0)
 			continue;
 		solve_form_setting = form;

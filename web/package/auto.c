@@ -3,10 +3,10 @@
 // src/world/device/auto.c.
 #include "world/device/auto.h"
 
-void auto_open(scree_world* world, CompareDevice* compare)
+void auto_open(scree_world* world, TestWorlds* test)
 {
 	(void)world;
-	(void)compare;
+	(void)test;
 }
 
 void auto_close(scree_world* world) { (void)world; }

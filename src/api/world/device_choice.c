@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// device_choice.c -- lists the devices, and moves a world to another device.
-#include "api/world/compare_bits.h"
+// device_choice.c -- lists and tests the devices, and moves a world to another device.
+#include "api/world/device_test.h"
 #include "platform/processor.h"
 #include "world/definition.h"
 #include "world/device/auto.h"
@@ -33,6 +33,20 @@ scree_status scree_devices_get_sized(scree_device* devices, size_t size, int cap
 
 const char* scree_opencl_hint(void) { return opencl_devices(NULL, 0) > 0 ? "" : opencl_hint(); }
 
+scree_status scree_device_test(const char* device)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_device_test";
+	TRY(check_device((ArgumentPlace){function, "device", ALONE}, "", device));
+	if (strcmp(device, "auto") == 0)
+		return fail(SCREE_ERROR_INVALID, "%s: device is \"auto\", must be \"cpu\", \"opencl\" or \"opencl:NAME\"",
+		            function);
+#ifndef SCREE_SMALL
+	TRY(cpu_self_test(function));
+#endif
+	return strcmp(device, "cpu") == 0 ? SCREE_OK : device_test(device, TEST_WORLDS);
+}
+
 scree_status scree_world_move(scree_world* world, const char* device)
 {
 	FLOAT_MODE_HERE;
@@ -41,7 +55,7 @@ scree_status scree_world_move(scree_world* world, const char* device)
 	TRY(check_device((ArgumentPlace){function, "device", ALONE}, "", device));
 	if (strcmp(device, "auto") == 0)
 	{
-		auto_open(world, compare_bits);
+		auto_open(world, TEST_WORLDS);
 		return SCREE_OK;
 	}
 	if (strcmp(device, world->device) != 0)
@@ -50,7 +64,7 @@ scree_status scree_world_move(scree_world* world, const char* device)
 		scree_world_def def = world->def;
 		def.device = device;
 		Backend *from = world->backend, *to;
-		TRY(device_open(&def, &to));
+		TRY(device_open(&def, TEST_WORLDS, &to));
 		scree_status status = world_move(world, to);
 		Backend* left = status == SCREE_OK ? from : to;
 		left->f->close(left);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lifetime.c -- creates, steps and destroys the world.
-#include "api/world/compare_bits.h"
+#include "api/world/device_test.h"
 #include "platform/processor.h"
 #include "world/create.h"
 #include "world/definition.h"
@@ -78,12 +78,12 @@ scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 	TRY(cpu_self_test(function));
 #endif
 	Backend* backend;
-	TRY(device_open(def, &backend));
+	TRY(device_open(def, TEST_WORLDS, &backend));
 	scree_status status = world_create(def, backend, world);
 	if (status != SCREE_OK)
 		backend->f->close(backend);
 	else if (strcmp(def->device, "auto") == 0)
-		auto_open(*world, compare_bits);
+		auto_open(*world, TEST_WORLDS);
 	return status;
 }
 

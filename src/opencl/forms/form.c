@@ -72,6 +72,18 @@ static scree_status run_now(Backend* b, const Step* step, RunList* list)
 	return status;
 }
 
+bool opencl_form(Backend* b, SolveForm form)
+{
+	OpenCl* d = b->state;
+	// a CPU has the forms of GPUs only for tests, and takes minutes to compile them
+	bool others = d->relay.groups > 0 && !(d->device.type & CL_DEVICE_TYPE_CPU);
+	if ((!others && form != FORM_ANY) || (form == FORM_TILES && !d->tiles.runs))
+		return false;
+	d->form = others ? form : FORM_LAUNCHES;
+	d->tiles.stale = true;
+	return true;
+}
+
 scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
 {
 	OpenCl* d = b->state;

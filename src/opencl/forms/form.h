@@ -4,6 +4,7 @@
 #define OPENCL_FORM_H
 #include "opencl/opencl_state.h"
 
+bool opencl_form(Backend* b, SolveForm form);
 scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list);
 
 #endif

@@ -214,12 +214,12 @@ static bool trial_is_over(scree_world* world)
 	return here->count >= TRIAL_STEPS || (here->count > 0 && auto_clock() - a->started > TRIAL_LIMIT * before->step);
 }
 
-void auto_open(scree_world* world, CompareDevice* compare)
+void auto_open(scree_world* world, TestWorlds* test)
 {
 	AutoDevice* a = &world->auto_device;
 	if (a->on)
 		return;
-	*a = (AutoDevice){.on = true, .compare = compare};
+	*a = (AutoDevice){.on = true, .test = test};
 	const char* named = getenv("SCREE_AUTO");
 	if (named)
 		snprintf(a->named, sizeof a->named, "%s", named);
@@ -228,7 +228,7 @@ void auto_open(scree_world* world, CompareDevice* compare)
 		return;
 	scree_world_def def = world->def;
 	def.device = "cpu";
-	a->alone = device_open(&def, &a->other) != SCREE_OK;
+	a->alone = device_open(&def, a->test, &a->other) != SCREE_OK;
 }
 
 void auto_close(scree_world* world)
@@ -257,7 +257,7 @@ scree_status auto_choose(scree_world* world)
 
 	if (!a->other && !a->opening && (a->named[0] || opening_pays(world)))
 	{
-		a->opening = async_open_begin(&world->def, a->named[0] ? a->named : NULL, a->compare);
+		a->opening = async_open_begin(&world->def, a->named[0] ? a->named : NULL, a->test);
 		a->alone = !a->opening;
 		spare_core(world, !a->alone);
 	}

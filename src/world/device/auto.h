@@ -4,8 +4,8 @@
 #define AUTO_H
 #include "world/auto_state.h"
 
-// Turn device "auto" on and off. compare: see async_open_begin.
-void auto_open(scree_world* world, CompareDevice* compare);
+// Turn device "auto" on and off. test: see async_open_begin.
+void auto_open(scree_world* world, TestWorlds* test);
 void auto_close(scree_world* world);
 
 // Records the time of the last step; begins or ends a trial. Called before steps with dt above 0. Fails if the world

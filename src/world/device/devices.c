@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// devices.c -- lists the devices, and opens a device.
+// devices.c -- lists the devices, opens a device, and tests a device.
 #include "world/device/devices.h"
 #include "platform/error.h"
 #include <string.h>
@@ -20,6 +20,11 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	*backend = NULL;
 	return fail(SCREE_ERROR_NO_DEVICE, "%s", without_opencl);
 }
+scree_status opencl_test(const BackendOptions* options)
+{
+	(void)options;
+	return fail(SCREE_ERROR_NO_DEVICE, "%s", without_opencl);
+}
 #endif
 
 int devices_list(scree_device* devices, int capacity)
@@ -29,21 +34,31 @@ int devices_list(scree_device* devices, int capacity)
 	return cpus + opencl_devices(left > 0 ? devices + cpus : NULL, left);
 }
 
-scree_status device_open(const scree_world_def* def, Backend** backend)
+// Returns the part of a name such as "opencl:NAME" after the colon, or null.
+static const char* part_of(const char* device) { return device[6] ? device + 7 : NULL; }
+
+scree_status device_open(const scree_world_def* def, TestWorlds* test, Backend** backend)
 {
 	BackendOptions options = {.threads = def->threads,
 	                          .lanes = def->lanes,
 	                          .allow_unequal_bits = def->allow_unequal_bits,
 	                          .timings = def->timings,
-	                          .opengl = def->opengl};
+	                          .opengl = def->opengl,
+	                          .test = test};
 	if (strncmp(def->device, "opencl", 6) != 0)
 		return cpu_open(&options, backend);
-	options.device = def->device[6] ? def->device + 7 : NULL;
+	options.device = part_of(def->device);
 	return opencl_open(&options, backend);
 }
 
-scree_status device_open_gpu(const scree_world_def* def, Backend** backend)
+scree_status device_open_gpu(const scree_world_def* def, TestWorlds* test, Backend** backend)
 {
-	BackendOptions options = {.timings = def->timings, .gpu = true, .opengl = def->opengl};
+	BackendOptions options = {.timings = def->timings, .gpu = true, .opengl = def->opengl, .test = test};
 	return opencl_open(&options, backend);
+}
+
+scree_status device_test(const char* device, TestWorlds* test)
+{
+	BackendOptions options = {.device = part_of(device), .test = test};
+	return opencl_test(&options);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// open_async.c -- opens a device on a separate thread, and compares its bits with those of the CPU.
+// open_async.c -- opens a device on a separate thread.
 #include "world/device/open_async.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -14,7 +14,7 @@ struct AsyncOpen
 	Thread thread;
 	scree_world_def def;
 	char name[160]; // name of the device; empty: any GPU
-	CompareDevice* compare;
+	TestWorlds* test;
 	Backend* backend;
 	scree_status status;
 	char sentence[1024];
@@ -22,35 +22,30 @@ struct AsyncOpen
 	atomic_bool done;
 };
 
-static scree_status open_and_compare(AsyncOpen* o)
+static scree_status open_named(AsyncOpen* o)
 {
-	TRY(o->name[0] ? device_open(&o->def, &o->backend) : device_open_gpu(&o->def, &o->backend));
-	o->milliseconds = processor_milliseconds() - o->begin;
-	scree_status status = o->compare(o->backend);
-	if (status == SCREE_OK)
-		return SCREE_OK;
-	o->backend->f->close(o->backend);
-	o->backend = NULL;
-	return status;
+	TRY(o->name[0] ? device_open(&o->def, o->test, &o->backend) : device_open_gpu(&o->def, o->test, &o->backend));
+	o->milliseconds = processor_milliseconds() - o->begin - o->backend->test_milliseconds;
+	return SCREE_OK;
 }
 
 static THREAD_RESULT async_open_main(void* argument)
 {
 	AsyncOpen* o = argument;
-	o->status = open_and_compare(o);
+	o->status = open_named(o);
 	if (o->status != SCREE_OK)
 		snprintf(o->sentence, sizeof o->sentence, "%s", scree_error());
 	atomic_store(&o->done, true);
 	return THREAD_END;
 }
 
-AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, CompareDevice* compare)
+AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, TestWorlds* test)
 {
 	AsyncOpen* o = scree_allocate(sizeof *o);
 	if (!o)
 		return NULL;
 	o->def = *def;
-	o->compare = compare;
+	o->test = test;
 	snprintf(o->name, sizeof o->name, "%s", device ? device : "");
 	o->def.device = o->name;
 	o->def.allow_unequal_bits = false;

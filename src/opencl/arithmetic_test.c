@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// arithmetic_test.c -- tests the arithmetic of a device: one kernel computes 100,000 results of the operations in
+// arithmetic.def, and the CPU the same. The CPU itself is tested by cpu/self_test.c.
+//
+// Devices may flush denormals to 0, since these decide no bit (docs/determinism.md). So results with a denormal operand
+// or a denormal intermediate result only tell whether the device keeps them. All others must be equal, except for the
+// bits of a NaN.
+#include "opencl/arithmetic_test.h"
+#include "backend/arithmetic.h"
+#include "opencl/compile.h"
+#include "platform/error.h"
+#include "platform/processor.h"
+#include <stdio.h>
+#include <string.h>
+
+#define LEAST_NORMAL 0x00800000u // bits of 2^-126; a result may also be flushed that only rounding makes as large
+
+static _Thread_local bool denormal; // true: an operand or an intermediate result of the last case was denormal
+
+static float noted(float x)
+{
+	unsigned bits;
+	memcpy(&bits, &x, sizeof bits);
+	bits &= 0x7fffffffu;
+	denormal |= bits != 0 && bits <= LEAST_NORMAL;
+	return x;
+}
+
+#define N(x) noted(x)
+#include "opencl/arithmetic_item.h"
+
+#define GROUP 64 // the number of work-items is a multiple of it
+
+extern const char arithmetic_program[]; // text of the program, written by cmake/embed.cmake
+extern const size_t arithmetic_program_length;
+
+typedef enum
+{
+	RESULT_FLOAT,
+	RESULT_WORD
+} ResultType;
+
+static const struct
+{
+	ResultType type;
+	const char* text;
+} operations[] = {
+#define X(name, type, text, expression) {RESULT_##type, text},
+#include "opencl/arithmetic.def"
+#undef X
+};
+
+void arithmetic_options(bool own_rounding, char text[ARITHMETIC_OPTIONS])
+{
+	const Arithmetic* chosen = &arithmetic_setting;
+	bool worse = chosen->rounding == ROUNDING_WORSE || chosen->rounding == ROUNDING_WRONG;
+	snprintf(text, ARITHMETIC_OPTIONS, "%s%s%s%s", own_rounding ? " -DOWN_ROUNDING" : "",
+	         worse ? " -DWORSE_ROUNDING" : "", chosen->fused ? " -DFUSED" : "",
+	         chosen->flush ? " -cl-denorms-are-zero" : "");
+}
+
+typedef struct
+{
+	cl_context context;
+	cl_command_queue queue;
+	cl_program program;
+	cl_kernel kernel;
+	cl_mem buffer;
+} Objects;
+
+static scree_status compute(const Device* device, bool own_rounding, Objects* o, Word* results)
+{
+	cl_int error;
+	cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)device->platform, 0};
+	o->context = opencl.CreateContext(properties, 1, &device->id, NULL, NULL, &error);
+	TRY(opencl_check("clCreateContext", error));
+	o->queue = opencl.CreateCommandQueue(o->context, device->id, 0, &error);
+	TRY(opencl_check("clCreateCommandQueue", error));
+
+	char options[PROGRAM_OPTIONS], arithmetic[ARITHMETIC_OPTIONS];
+	arithmetic_options(own_rounding, arithmetic);
+	snprintf(options, sizeof options, "%s%s", device->type & CL_DEVICE_TYPE_CPU ? " -DCALLS" : "", arithmetic);
+	TRY(program_build(o->context, device, options, arithmetic_program, arithmetic_program_length, &o->program));
+	o->kernel = opencl.CreateKernel(o->program, "arithmetic", &error);
+	TRY(opencl_check("clCreateKernel", error));
+
+	size_t bytes = ARITHMETIC_RESULTS * sizeof *results, items = (ARITHMETIC_RESULTS + GROUP - 1) / GROUP * GROUP;
+	o->buffer = opencl.CreateBuffer(o->context, CL_MEM_WRITE_ONLY, bytes, NULL, &error);
+	TRY(opencl_check("clCreateBuffer", error));
+	TRY(CALL(SetKernelArg, o->kernel, 0, sizeof o->buffer, &o->buffer));
+	TRY(CALL(EnqueueNDRangeKernel, o->queue, o->kernel, 1, NULL, &items, NULL, 0, NULL, NULL));
+	return CALL(EnqueueReadBuffer, o->queue, o->buffer, CL_TRUE, 0, bytes, results, 0, NULL, NULL);
+}
+
+static void release(const Objects* o)
+{
+	if (o->queue)
+		opencl.Finish(o->queue); // an error of the device was already reported
+	if (o->buffer)
+		opencl.ReleaseMemObject(o->buffer);
+	if (o->kernel)
+		opencl.ReleaseKernel(o->kernel);
+	if (o->program)
+		opencl.ReleaseProgram(o->program);
+	if (o->queue)
+		opencl.ReleaseCommandQueue(o->queue);
+	if (o->context)
+		opencl.ReleaseContext(o->context);
+}
+
+static int print_value(char* text, size_t size, ResultType type, Word bits)
+{
+	return type == RESULT_FLOAT ? snprintf(text, size, "%a", (double)bits_float((int)bits))
+	                            : snprintf(text, size, "%d", (int)bits);
+}
+
+static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || c == '_'; }
+
+// Prints an operation with its operands, for instance "0x1.8p+3 / 0x1.4p+1".
+static void print_operation(char* text, size_t size, int operation, int number)
+{
+	Operands o = operands_of(operation, number);
+	const float operands[] = {o.a, o.b, o.c};
+	const char* pattern = operations[operation].text;
+	size_t used = 0;
+	for (size_t k = 0; pattern[k] && used + 1 < size; ++k)
+	{
+		char c = pattern[k];
+		bool alone = is_letter(c) && !(k > 0 && is_letter(pattern[k - 1])) && !is_letter(pattern[k + 1]);
+		if (alone && c <= 'c')
+			used += (size_t)print_value(text + used, size - used, RESULT_FLOAT, float_word(operands[c - 'a']));
+		else if (alone)
+			used += (size_t)snprintf(text + used, size - used, "0x%08x", float_word(operands[c - 'i']));
+		else
+		{
+			text[used++] = c;
+			text[used] = '\0';
+		}
+	}
+}
+
+static bool is_nan(Word bits) { return (bits & 0x7fffffffu) > 0x7f800000u; }
+
+int arithmetic_compare(const Word* results, Verdict* verdict)
+{
+	verdict->keeps_denormals = true;
+	for (int i = 0; i < ARITHMETIC_RESULTS; ++i)
+	{
+		int operation = i / ARITHMETIC_CASES, number = i % ARITHMETIC_CASES;
+		Operands o = operands_of(operation, number);
+		denormal = false;
+		noted(o.a);
+		noted(o.b);
+		noted(o.c);
+		Word expected = arithmetic_result(operation, number), got = results[i];
+		ResultType type = operations[operation].type;
+		if (got == expected || (type == RESULT_FLOAT && is_nan(got) && is_nan(expected)))
+			continue;
+		verdict->keeps_denormals &= !denormal;
+		if (denormal)
+			continue;
+		char text[74], ours[17], theirs[17]; // the longest operation has four operands of 16 characters
+		print_operation(text, sizeof text, operation, number);
+		print_value(ours, sizeof ours, type, expected);
+		print_value(theirs, sizeof theirs, type, got);
+		snprintf(verdict->difference, sizeof verdict->difference, "it computes %s as %s, the CPU as %s", text, theirs,
+		         ours);
+		return operation;
+	}
+	return ARITHMETIC_OPERATIONS;
+}
+
+static scree_status compute_and_compare(const Device* device, Verdict* verdict, Word* results, int* operation)
+{
+	Objects objects = {.context = NULL};
+	scree_status status = compute(device, verdict->own_rounding, &objects, results);
+	release(&objects);
+	TRY(status);
+	FloatMode mode = float_mode_enter();
+	*operation = arithmetic_compare(results, verdict);
+	float_mode_leave(mode);
+	verdict->results = ARITHMETIC_RESULTS;
+	verdict->equal = *operation == ARITHMETIC_OPERATIONS;
+	return SCREE_OK;
+}
+
+scree_status arithmetic_test(const Device* device, Verdict* verdict)
+{
+	*verdict = (Verdict){.own_rounding = device->own_rounding};
+	Word* results = scree_allocate(ARITHMETIC_RESULTS * sizeof *results);
+	if (!results)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d results of an OpenCL device", ARITHMETIC_RESULTS);
+	int operation = 0;
+	scree_status status = compute_and_compare(device, verdict, results, &operation);
+	if (status == SCREE_OK && !verdict->equal && operation >= ARITHMETIC_QUOTIENT && !verdict->own_rounding)
+	{
+		log_sentence(SCREE_LOG_WARNING,
+		             "%s reports that it rounds quotients and roots correctly, but %s; integers will round them.",
+		             device->about.name, verdict->difference);
+		*verdict = (Verdict){.own_rounding = true};
+		status = compute_and_compare(device, verdict, results, &operation);
+	}
+	scree_release(results);
+	return status;
+}
