@@ -173,7 +173,11 @@ skip)
 	;;
 *) echo "platforms.sh: MISSING is $missing, must be install or skip" >&2; exit 2 ;;
 esac
-tools/source.sh jansson build/sources/jansson
+if ! tools/source.sh jansson build/sources/jansson; then
+	echo "skipped: the sources of jansson, which a build for another system needs, cannot be fetched"
+	[ "$missing" = skip ] && exit 77
+	exit 1
+fi
 [[ -z "$units" && " ${chosen[*]} " != *" windows "* ]] || tools/source.sh cmocka build/sources/cmocka
 mkdir -p "$build"
 export SCREE_SCENES=$PWD/scenes WINEDEBUG=-all WINEPREFIX=$build/wine
