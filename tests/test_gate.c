@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_gate.c -- checks the tests of OpenCL devices: wrong arithmetic is found and named, wrong quotients are replaced by
-// own rounding, and verdicts are stored and read.
+// test_gate.c -- checks the tests of OpenCL devices: wrong arithmetic is found and named, wrong quotients are
+// replaced by own rounding, and verdicts are stored and read.
 //
 // PoCL is compiled wrongly on purpose (backend/arithmetic.h). Each test has a folder of its own for the cache.
 #include "api/world/device_test.h"

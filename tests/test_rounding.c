@@ -2,8 +2,8 @@
 // test_rounding.c -- checks own rounding: quotients and roots from results with errors of up to 3 ulp equal those of the
 // processor.
 //
-// make test checks 3 million random quotients and 4 million roots, make test-full a hundred times as many. SCREE_ROUNDINGS
-// is another number of quotients.
+// make test checks 3 million random quotients and 4 million roots, make test-full a hundred times as many.
+// SCREE_ROUNDINGS is another number of quotients.
 #define LANES 1
 #include "dialect/dialect.h"
 

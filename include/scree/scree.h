@@ -202,9 +202,9 @@ static inline scree_status scree_devices_get(scree_device* devices, int capacity
 // Tests now whether a device has the bits of the CPU, and stores the verdict, also if one is stored already. device:
 // "cpu", "opencl" or "opencl:NAME", as in scree_world_def. Fails with SCREE_ERROR_NO_DEVICE and the first difference.
 //
-// scree_world_create and scree_world_move test a device without a verdict, so that programs need not call this function.
-// The test takes less than a second, but on a GPU the first build of the stages takes minutes. Verdicts are stored per
-// version of the driver and of Scree in the folder of compiled programs (docs/determinism.md).
+// scree_world_create and scree_world_move test a device without a verdict, so that programs need not call this
+// function. The test takes less than a second, but on a GPU the first build of the stages takes minutes. Verdicts are
+// stored per version of the driver and of Scree in the folder of compiled programs (docs/determinism.md).
 SCREE_API scree_status scree_device_test(const char* device);
 
 // Returns one sentence that names what to install to get an OpenCL device, or an empty string if there is one. The
@@ -846,8 +846,9 @@ SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body 
 //
 // Range: mass 1e-15 to 1e30 kg; inertia 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate; center within
 // SCREE_MAX_COORDINATE. A step uses at least m r^2 / 1000 (but not over 1.27e30 kg m^2) for the inertia, because with
-// less, floats have too few digits for the impulses of joints and contacts. m is the mass; r is the largest distance from the center of mass to
-// the anchor of a joint or to the end of a solid shape. Fails with SCREE_ERROR_INVALID for a body that is not dynamic.
+// less, floats have too few digits for the impulses of joints and contacts. m is the mass; r is the largest distance
+// from the center of mass to the anchor of a joint or to the end of a solid shape. Fails with SCREE_ERROR_INVALID for
+// a body that is not dynamic.
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
 // Overrides the masses of a batch of bodies, as above. On failure no mass changes.
 SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,

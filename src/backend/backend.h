@@ -14,10 +14,12 @@
 
 typedef struct Backend Backend;
 
+#define DIFFERENCE_BYTES 137 // maximum size of a clause that names the first wrong result of a device, with its end
+
 typedef struct // result of a TestWorlds
 {
-	int worlds;           // number of worlds that were compared
-	char difference[136]; // clause that names the first difference, such as "its world ..."; empty: none
+	int worlds;                        // number of worlds that were compared
+	char difference[DIFFERENCE_BYTES]; // such as "its world ..."; empty: none
 } WorldsTest;
 
 // Steps small worlds on an open device and on the CPU, and compares their hashes. Leaves the device as it was opened,

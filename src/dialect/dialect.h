@@ -16,8 +16,8 @@
 #define INLINE static inline
 #endif
 
-// Marks functions with a barrier, and those that call them. On a device they are always inlined: PoCL would do so itself,
-// and llvmpipe (Mesa 25.0) crashes when it compiles a call of a function with a barrier.
+// Marks functions with a barrier, and those that call them. On a device they are always inlined: PoCL would do so
+// itself, and llvmpipe (Mesa 25.0) crashes when it compiles a call of a function with a barrier.
 #ifdef __OPENCL_C_VERSION__
 #define INLINE_MEET static inline __attribute__((always_inline))
 #else

@@ -22,17 +22,17 @@
 // 1/kg and other units: smaller elements of the matrices of joints count as 0, because they may be divided by others.
 #define LEAST_ELEMENT 7.52316385e-37f // 2^-120
 
-// kg: a mass up to this times a denormal velocity is negligible beside an impulse that is not tiny. Contacts of heavier
-// bodies set tiny velocities to 0 before they multiply them, which takes 0.3 % more instructions of a CPU; as do those of
-// bodies with a moment of inertia above this number, kg m^2.
+// kg: a mass up to this times a denormal velocity is negligible beside an impulse that is not tiny. Contacts of
+// heavier bodies set tiny velocities to 0 before they multiply them, which takes 0.3 % more instructions of a CPU; as
+// do those of bodies with a moment of inertia above this number, kg m^2.
 #define HEAVY_MASS 1.09951163e12f // 2^40
 
 // kg m^2: largest inertia in a step; larger ones, which long arms or the pull of joints require, are reduced to it. The
 // product of its inverse and a lever arm is not denormal.
 #define MOST_INERTIA 1.26765060e30f // 2^100
 
-// Returns x, or 0 if x is below `least`; NaN stays NaN. The result is never a negative zero. OpenCL on a CPU compares the
-// bits, because PoCL 6 aborts when it compiles some kernels that compare the floats (docs/opencl.md).
+// Returns x, or 0 if x is below `least`; NaN stays NaN. The result is never a negative zero. OpenCL on a CPU compares
+// the bits, because PoCL 6 aborts when it compiles some kernels that compare the floats (docs/opencl.md).
 #ifdef CALLS
 INLINE Real flush_below(Real x, float least) { return only(x, (float_bits(x) & 0x7fffffff) >= float_bits(least)); }
 #else

@@ -3,8 +3,8 @@
 #ifndef OPENCL_WORDS_H
 #define OPENCL_WORDS_H
 
-// FUSED and WORSE_ROUNDING are for tests: they make a device compute as if its compiler ignored the pragma, and as if it
-// did not round quotients and roots correctly, with errors of -2 to 2 ulp.
+// FUSED and WORSE_ROUNDING are for tests: they make a device compute as if its compiler ignored the pragma, and as if
+// it did not round quotients and roots correctly, with errors of -2 to 2 ulp.
 #ifdef FUSED
 #pragma OPENCL FP_CONTRACT ON
 #else

@@ -9,8 +9,8 @@
 // Writes the build options for own rounding, and for the arithmetic that a test has chosen (backend/arithmetic.h).
 void arithmetic_options(bool own_rounding, char text[ARITHMETIC_OPTIONS]);
 
-// Compares results of a device with those of the CPU. Returns the operation of the first difference, which it writes to the
-// verdict, or ARITHMETIC_OPERATIONS. results: ARITHMETIC_RESULTS words (arithmetic_item.h).
+// Compares results of a device with those of the CPU. Returns the operation of the first difference, which it writes
+// to the verdict, or ARITHMETIC_OPERATIONS. results: ARITHMETIC_RESULTS words (arithmetic_item.h).
 int arithmetic_compare(const uint32_t* results, Verdict* verdict);
 
 // Computes ARITHMETIC_RESULTS float results on the device and on the CPU, and sets all members of the verdict but

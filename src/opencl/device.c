@@ -12,8 +12,9 @@
 #define MAX_PLATFORMS 16
 #define MAX_DEVICES   64
 
-// Bound of the size of all arguments of a kernel, bytes: a buffer or an offset, and a capacity, for each kind of item; the
-// step; a run; 64 bytes for those of the relay, the tiles and the persistent kernel. OpenCL 1.2 guarantees 1,024.
+// Bound of the size of all arguments of a kernel, bytes: a buffer or an offset, and a capacity, for each kind of
+// item; the step; a run; 64 bytes for those of the relay, the tiles and the persistent kernel. OpenCL 1.2 guarantees
+// 1,024.
 #define ARGUMENT_BYTES (PER_COUNT * (sizeof(cl_mem) + sizeof(int)) + sizeof(Step) + sizeof(Run) + 64)
 _Static_assert(ARGUMENT_BYTES <= 1024, "the arguments of a kernel exceed the minimum of OpenCL 1.2");
 

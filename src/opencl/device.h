@@ -26,16 +26,17 @@ typedef struct
 // Writes at most `capacity` devices. Returns the total number of devices.
 int device_list(Device* devices, int capacity);
 
-// Returns whether a device without a verdict is tested with own rounding: it does not report correct rounding, or a test
-// has chosen own rounding.
+// Returns whether a device without a verdict is tested with own rounding: it does not report correct rounding, or a
+// test has chosen own rounding.
 bool device_own_rounding(const Device* device);
 
 // Sets the members of a device that follow from the verdict on it.
 void device_judge(Device* device, const Verdict* verdict);
 
 // Chooses a device whose name or platform name contains options->device (case ignored). Prefers devices that the
-// options allow, then a whole name, then GPUs, then devices with equal bits. A device without a verdict counts as one with
-// equal bits; opencl_open tests it. Fails with SCREE_ERROR_NO_DEVICE if no device is found or the best is not allowed.
+// options allow, then a whole name, then GPUs, then devices with equal bits. A device without a verdict counts as one
+// with equal bits; opencl_open tests it. Fails with SCREE_ERROR_NO_DEVICE if no device is found or the best is not
+// allowed.
 scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif

@@ -11,7 +11,7 @@
 #include "platform/processor.h"
 #include <string.h>
 
-static scree_status test_worlds(const BackendOptions* options, Backend* b, Verdict* verdict)
+static scree_status judge_worlds(const BackendOptions* options, Backend* b, Verdict* verdict)
 {
 	OpenCl* d = b->state;
 	SolveForm form = d->form;
@@ -54,7 +54,7 @@ static scree_status judge(const BackendOptions* options, OpenDevice* open, Devic
 	if (verdict.equal)
 	{
 		begin = processor_milliseconds();
-		TRY(test_worlds(options, *backend, &verdict));
+		TRY(judge_worlds(options, *backend, &verdict));
 		spent += processor_milliseconds() - begin;
 	}
 	if (*backend)

@@ -87,8 +87,8 @@ INLINE_MEET bool run_barrier(DeviceBarrier* b, bool alone)
 }
 
 // Sorts like primitives.c, with all work-groups, or with one if `alone`. Returns false if a spin-wait timed out.
-INLINE_MEET bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench, DeviceBarrier* b,
-                            bool alone)
+INLINE_MEET bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench,
+                                 DeviceBarrier* b, bool alone)
 {
 	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
 	uint first = (uint)get_group_id(0), groups = alone ? 1u : (uint)get_num_groups(0), blocks = (n + part - 1) / part;
@@ -172,7 +172,8 @@ INLINE Run run_at(__global const int* list, int count, int i)
 
 // Finds the first run with items, from index `next` on; copies it to *chosen and returns its index. Returns `count` if
 // there is none. mine: the run that this work-item holds.
-INLINE_MEET int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found, LOCAL Run* chosen)
+INLINE_MEET int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found,
+                         LOCAL Run* chosen)
 {
 	int lane = (int)get_local_id(0);
 	if (lane == 0)
@@ -188,8 +189,8 @@ INLINE_MEET int next_run(const Pools* pools, Run mine, int next, int count, vola
 }
 
 // Executes a primitive, or a run of the barrier test (function probe). Returns false if a spin-wait reached its limit.
-INLINE_MEET bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, LOCAL SortMemory* bench,
-                          DeviceBarrier* b, bool alone)
+INLINE_MEET bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes,
+                               LOCAL SortMemory* bench, DeviceBarrier* b, bool alone)
 {
 	if (run.kernel_id == PRIMITIVE_SORT)
 		return persistent_sort(p, run, table, bench, b, alone);

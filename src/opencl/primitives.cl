@@ -47,8 +47,8 @@ typedef struct __attribute__((aligned(8))) // local memory of a work-group; sort
 	uint place[SORT_WORDS][SORT_DIGITS];
 } SortMemory;
 
-INLINE_MEET void sort_count_part(__global const Word64* key, uint n, __global uint* table, uint block, int shift, uint mask,
-                            LOCAL uint* count)
+INLINE_MEET void sort_count_part(__global const Word64* key, uint n, __global uint* table, uint block, int shift,
+                                 uint mask, LOCAL uint* count)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
@@ -67,8 +67,8 @@ INLINE_MEET void sort_count_part(__global const Word64* key, uint n, __global ui
 // Writes the keys of a part to their places, sorted stably by one digit. Every 32 work-items have a bit mask per digit.
 // A work-item sets its bit in the mask of its digit; the number of lower bits that are set is the rank of its key among
 // keys with this digit. Work-item t keeps the next place of digit t.
-INLINE_MEET void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
-                            uint block, int shift, uint mask, LOCAL SortMemory* bench)
+INLINE_MEET void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n,
+                                 __global const uint* table, uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
@@ -119,7 +119,7 @@ INLINE_MEET void sort_place_part(__global const Word64* key, __global Word64* ke
 // the number of equal keys before it. Each work-group has all keys in local memory; SORT_TEAM work-items count for one
 // key.
 INLINE_MEET void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
-                     LOCAL SortMemory* bench)
+                          LOCAL SortMemory* bench)
 {
 	const uint teams = PRIMITIVE_GROUP / SORT_TEAM;
 	uint t = (uint)get_local_id(0), team = t / SORT_TEAM, member = t % SORT_TEAM;

@@ -20,8 +20,6 @@ static struct
 static int known_count; // number of verdicts that were written to `known`, replaced ones included
 static Mutex mutex = MUTEX_OPEN;
 
-static void add_number(Digest* key, int number) { digest_add(key, &number, sizeof number); }
-
 // Returns the digest of both programs. It takes some milliseconds, so it is computed once per process.
 static Digest programs_digest(void)
 {
@@ -53,8 +51,7 @@ Digest verdict_key(const char* identity, bool launches)
 	                       (int)arithmetic_setting.rounding,
 	                       arithmetic_setting.flush,
 	                       arithmetic_setting.fused};
-	for (size_t k = 0; k < sizeof numbers / sizeof *numbers; ++k)
-		add_number(&key, numbers[k]);
+	digest_add(&key, numbers, sizeof numbers);
 	return key;
 }
 
@@ -105,15 +102,7 @@ bool verdict_read(Digest key, Verdict* verdict)
 void verdict_write(Digest key, const Verdict* verdict)
 {
 	remember(key, verdict);
-	Verdict stored;
-	memset(&stored, 0, sizeof stored); // padding, too, so that equal verdicts are equal files
-	stored.results = verdict->results;
-	stored.worlds = verdict->worlds;
-	stored.equal = verdict->equal;
-	stored.own_rounding = verdict->own_rounding;
-	stored.keeps_denormals = verdict->keeps_denormals;
-	memcpy(stored.difference, verdict->difference, sizeof stored.difference);
-	cache_write(key, (const unsigned char*)&stored, sizeof stored);
+	cache_write(key, (const unsigned char*)verdict, sizeof *verdict);
 }
 
 void verdict_forget(void)

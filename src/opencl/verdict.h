@@ -2,16 +2,18 @@
 // verdict.h -- stores what the tests of a device have found: for this process, and in a file of the cache (cache.h).
 #ifndef VERDICT_H
 #define VERDICT_H
+#include "backend/backend.h"
 #include "opencl/cache.h"
 
-typedef struct
+typedef struct // stored as it is, without padding
 {
 	int results, worlds;  // numbers of float results and of worlds that were compared with those of the CPU
 	bool equal;           // true: all were equal
 	bool own_rounding;    // true: quotients and roots are rounded by dialect/own_rounding.h
 	bool keeps_denormals; // true: denormal operands and results were not flushed to 0
-	char difference[136]; // if `equal` is false: a clause that names the first difference, such as "it computes ..."
+	char difference[DIFFERENCE_BYTES]; // if `equal` is false: such as "it computes ..."
 } Verdict;
+_Static_assert(sizeof(Verdict) == 2 * sizeof(int) + 3 * sizeof(bool) + DIFFERENCE_BYTES, "a verdict has padding");
 
 // Returns the key of the verdict on a device: a digest of everything that may change it. identity: that of the Device.
 // launches: true if the program lacks the kernels of the other forms.

@@ -47,8 +47,8 @@ static inline float between(Maker* m, float low, float high)
 static inline float pick(Maker* m, const float* values, int count) { return values[below(m, count)]; }
 #define PICK(m, ...) pick(m, (const float[]){__VA_ARGS__}, (int)(sizeof((const float[]){__VA_ARGS__}) / sizeof(float)))
 
-// C leaves the order of two operands or arguments open. So an expression has one random number that is not an argument of
-// another, and programs are the same for every compiler.
+// C leaves the order of two operands or arguments open. So an expression has one random number that is not an
+// argument of another, and programs are the same for every compiler.
 
 // Returns x or -x.
 static inline float of_any_sign(Maker* m, float x) { return chance(m, 0.5) ? x : -x; }

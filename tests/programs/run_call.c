@@ -318,7 +318,6 @@ scree_status run_world(const Place* place, const Call* call, scree_world** world
 	CallRun t = {.call = call};
 	scree_world_def def = scree_world_def_default();
 	def.device = place->device;
-	def.allow_unequal_bits = place->flush;
 	def.threads = place->threads;
 	def.lanes = place->lanes;
 	def.gravity = call_vec(&t, "gravity_x", "gravity_y");

@@ -7,8 +7,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#define form_names solve_form_names
-
 // second part of a name
 static const char* const rounding_names[ROUNDING_COUNT] = {
     [ROUNDING_DEVICE] = "", [ROUNDING_OWN] = ",own", [ROUNDING_WORSE] = ",worse", [ROUNDING_WRONG] = ",wrong"};
@@ -19,7 +17,7 @@ static const char* const rounding_names[ROUNDING_COUNT] = {
 // Writes the name of a form and a kind of arithmetic, such as "relay,own,flush".
 static inline const char* form_name(SolveForm form, Arithmetic arithmetic, char text[40])
 {
-	snprintf(text, 40, "%s%s%s", form_names[form], rounding_names[arithmetic.rounding],
+	snprintf(text, 40, "%s%s%s", solve_form_names[form], rounding_names[arithmetic.rounding],
 	         arithmetic.flush ? FLUSH_NAME : "");
 	return text;
 }

@@ -19,7 +19,7 @@ static int add_variant(Variant variants[MAX_VARIANTS], int count, const char* de
 		snprintf(variant->name, sizeof variant->name, "%d thread%s, %d lane%s", threads, threads > 1 ? "s" : "", lanes,
 		         lanes > 1 ? "s" : "");
 	else
-		snprintf(variant->name, sizeof variant->name, "%.127s, solver: %s", device, form_names[form]);
+		snprintf(variant->name, sizeof variant->name, "%.127s, solver: %s", device, solve_form_names[form]);
 	return count + 1;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // scene_hash.c -- scene_hash SCENE STEPS DEVICE FORM: prints the hash of a scene as scree hash does, but with a given
-// form of the solve. With the form "default,flush", devices that flush denormals are accepted.
+// form of the solve.
 #include "scene/find.h"
 #include "scene/load.h"
 #include "scene/player.h"
@@ -13,7 +13,6 @@ static scree_status hash_scene(const Scene* scene, const char* device, int steps
 {
 	scree_world_def def = scene->world;
 	def.device = device;
-	def.allow_unequal_bits = arithmetic_setting.flush;
 	ScenePlayer player;
 	scree_status status = player_open(&player, scene, &def);
 	for (int step = 0; step < steps && status == SCREE_OK; ++step)

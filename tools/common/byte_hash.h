@@ -10,7 +10,8 @@
 // Returns the hash of all bytes so far. hash: value returned for the bytes before these, or HASH_BEGIN.
 uint64_t hash_bytes(uint64_t hash, const void* bytes, size_t count);
 
-// Returns the hash of numbers of 32 bits, the same for both orders of their bytes. count: number of bytes, a multiple of 4.
+// Returns the hash of numbers of 32 bits, the same for both orders of their bytes. count: number of bytes, a
+// multiple of 4.
 uint64_t hash_words(uint64_t hash, const void* words, size_t count);
 
 #endif

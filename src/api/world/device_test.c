@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// device_test.c -- tests a device by small worlds: the hashes of sample_worlds.c must be those of one thread of the CPU, in
-// each form of execution that the device uses.
+// device_test.c -- tests a device by small worlds: the hashes of sample_worlds.c must be those of one thread of the
+// CPU, in each form of execution that the device uses.
 #include "api/world/device_test.h"
 #include "api/world/sample_worlds.h"
 #include "platform/error.h"

@@ -158,7 +158,8 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 // Executes pass q of a constraint. Returns false if a ticket did not arrive. in_step: true if all work-items of the
 // group call this function together; then it fails in all of them or in none, and no two of their constraints may share
 // a body.
-INLINE_MEET bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile LOCAL int* fault)
+INLINE_MEET bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step,
+                            volatile LOCAL int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
 	bool ok = true;
@@ -208,8 +209,8 @@ INLINE_MEET bool relay_task(const Pools* p, const Relay* r, int q, Registers* u,
 // Executes all passes of all constraints; does nothing if the counter with index `bound` is 0. The kernel solve_end
 // integrates bodies without constraints. stream: STREAM_FLOAT4S values of type float4 per constraint; not used if all
 // constraints fit into registers.
-INLINE_MEET void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
-                        volatile LOCAL int* fault)
+INLINE_MEET void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound,
+                             int spread, volatile LOCAL int* fault)
 {
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;

@@ -86,7 +86,7 @@ INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global
 // Executes pass q of hub n in a work-group. If a ticket did not arrive, sets *fault and solves nothing. parts: one part
 // for the neighbor of each spoke, then one part for each hub.
 INLINE_MEET void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
-                      LOCAL float* bench, volatile LOCAL int* fault)
+                           LOCAL float* bench, volatile LOCAL int* fault)
 {
 	Body b;
 	int turn = hub_color(n);
@@ -215,8 +215,8 @@ INLINE void hub_tasks_prepare_colors(const Pools* p, const HubTasks* t, Register
 }
 
 // Executes pass q of the hubs of a work-group. Returns false in all work-items of the group if a ticket did not arrive.
-INLINE_MEET bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* t, volatile __global ulong* parts, int q,
-                                LOCAL float* bench, volatile LOCAL int* fault)
+INLINE_MEET bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* t, volatile __global ulong* parts,
+                                     int q, LOCAL float* bench, volatile LOCAL int* fault)
 {
 	bool ok = true;
 	int width = group_width();
@@ -238,7 +238,7 @@ INLINE_MEET bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTa
 
 // Executes pass q of the constraints of a work-item. Returns false if a ticket did not arrive.
 INLINE_MEET bool hub_tasks_pass_colors(const Pools* p, const Relay* r, const HubTasks* t, int q, Registers* u,
-                                  volatile LOCAL int* fault)
+                                       volatile LOCAL int* fault)
 {
 	bool ok = true;
 	for (int i = t->colors ? t->begin : t->constraints; i < t->constraints && ok; i += t->stride)
@@ -266,7 +266,7 @@ INLINE void hub_tasks_store_colors(const Pools* p, const HubTasks* t, Registers*
 // Executes all passes like relay_tasks, but the first hub_groups work-groups solve hubs, and the other groups solve
 // constraints with colors. A single work-group solves both. parts: two 64-bit words per spoke and per hub.
 INLINE_MEET void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* stream, int bound, int spread,
-                            __global ulong* parts, int hub_groups, LOCAL float* bench, volatile LOCAL int* fault)
+                                 __global ulong* parts, int hub_groups, LOCAL float* bench, volatile LOCAL int* fault)
 {
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;

@@ -139,8 +139,8 @@ INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, in
 #undef CONSTRAINT_KIND
 }
 
-INLINE_MEET void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile,
-                      LOCAL int* range, int q, int pass)
+INLINE_MEET void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile, LOCAL int* range, int q,
+                           int pass)
 {
 	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
 	for (int k = lane; k <= TILE_COLUMNS; k += TILE_GROUP)
@@ -217,7 +217,8 @@ INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, B
 
 // Executes pass q of a border constraint, with bodies from their pool or from their previous border constraints.
 // Returns false if a ticket did not arrive.
-INLINE_MEET bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile LOCAL int* fault)
+INLINE_MEET bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q,
+                                  volatile LOCAL int* fault)
 {
 	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);
 	int pass = schedule_pass(r->substeps, q);

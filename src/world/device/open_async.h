@@ -4,8 +4,8 @@
 #define OPEN_ASYNC_H
 #include "world/auto_state.h"
 
-// Begins to open a device on a new thread. device: name of the device, or null for any GPU. A device without a verdict is
-// tested there, with `test`. Returns null if there is no memory or no thread.
+// Begins to open a device on a new thread. device: name of the device, or null for any GPU. A device without a
+// verdict is tested there, with `test`. Returns null if there is no memory or no thread.
 AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, TestWorlds* test);
 bool async_open_done(const AsyncOpen* opening);
 
