@@ -138,7 +138,7 @@ class Engine {
 
 	check(status) {
 		if (status)
-			throw new ScreeError(this.text(this.c.scree_error()), status);
+			throw new ScreeError(this.text(this.c[table.error.name]()), status);
 	}
 
 	// Returns the bytes of a struct before its members are set: the default of the struct or, if it has no default,
@@ -184,7 +184,7 @@ class Engine {
 		}
 		if (layouts[type]) {
 			if (type === "rot" && typeof value === "number")
-				return this.c.scree_rot_make(at, value);
+				return this.c[table.rot_make.name](at, value);
 			if (value === null || typeof value !== "object")
 				wrong("an object");
 			const {members, shown} = layouts[type];
@@ -473,7 +473,7 @@ export class World {
 		// layout of the memory: handles, then poses
 		const at = this.block("#poses", 24 * count + 8), poses = at + 8 * count;
 		engine.putAll("body", at, bodies, this, "poses: bodies");
-		engine.check(engine.c.scree_bodies_get_poses(this.live(), at, poses, count));
+		engine.check(engine.c[table.bodies_get_poses.name](this.live(), at, poses, count));
 		return new Float32Array(engine.memory.buffer, poses, 4 * count);
 	}
 
