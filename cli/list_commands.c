@@ -65,8 +65,10 @@ static void print_bits(const scree_device* d)
 	else
 		printf("  equal bits  yes: tested by %d float results and %d worlds\n", d->tested_results, d->tested_worlds);
 	if (d->tested_results > 0)
-		printf("  denormals   %s\n  rounding    of quotients and roots: by %s\n",
-		       d->keeps_denormals ? "kept" : "flushed to zero", d->own_rounding ? "integers" : "the device");
+		printf("  denormals   %s\n  zeros       %s\n  rounding    of quotients and roots: by %s\n",
+		       d->keeps_denormals ? "kept" : "flushed to zero",
+		       d->keeps_zeros ? "with their signs" : "without a sign after operations with a constant 0",
+		       d->own_rounding ? "integers" : "the device");
 }
 
 static void print_device(const scree_device* d)

@@ -91,7 +91,7 @@ static void results_are_compared(void** state)
 	Verdict verdict = {.results = 0};
 	compute_results(false);
 	assert_int_equal(arithmetic_compare(results, &verdict), ARITHMETIC_OPERATIONS);
-	assert_true(verdict.keeps_denormals);
+	assert_true(verdict.keeps_denormals && verdict.keeps_zeros);
 	for (int operation = 0; operation < ARITHMETIC_OPERATIONS; ++operation)
 	{
 		Word* result = &results[operation * ARITHMETIC_CASES + 16];
@@ -108,6 +108,35 @@ static void results_are_compared(void** state)
 #if defined(__x86_64__) || defined(__aarch64__)
 	assert_false(verdict.keeps_denormals);
 #endif
+}
+
+// Results of a compiler that simplifies operations with a constant 0 pass; a wrong sign elsewhere does not.
+static void simplified_zeros_pass(void** state)
+{
+	(void)state;
+	Verdict verdict = {.results = 0};
+	compute_results(false);
+	for (int number = 0; number < ARITHMETIC_CASES; ++number)
+	{
+		float a = operands_of(ARITHMETIC_PLUS_ZERO, number).a;
+		results[ARITHMETIC_TIMES_ZERO * ARITHMETIC_CASES + number] = 0u;
+		results[ARITHMETIC_PLUS_ZERO * ARITHMETIC_CASES + number] = float_word(a);
+		a = operands_of(ARITHMETIC_ZERO_LESS, number).a;
+		results[ARITHMETIC_ZERO_LESS * ARITHMETIC_CASES + number] = float_word(-a);
+	}
+	assert_int_equal(arithmetic_compare(results, &verdict), ARITHMETIC_OPERATIONS);
+	assert_false(verdict.keeps_zeros);
+	assert_true(verdict.keeps_denormals);
+
+	Word* sum = &results[ARITHMETIC_PLUS_ZERO * ARITHMETIC_CASES];
+	Word kept = *sum;
+	*sum = 0u; // not a zero
+	assert_int_equal(arithmetic_compare(results, &verdict), ARITHMETIC_PLUS_ZERO);
+	*sum = kept;
+	Word* difference = &results[ARITHMETIC_DIFFERENCE * ARITHMETIC_CASES + 10]; // of equal numbers
+	assert_int_equal(*difference, 0);
+	*difference = 0x80000000u;
+	assert_int_equal(arithmetic_compare(results, &verdict), ARITHMETIC_DIFFERENCE);
 }
 
 // The first world tests the device, and has the same hash as later ones.
@@ -323,11 +352,17 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, begin, end)
 	const struct CMUnitTest tests[] = {
-	    TEST(results_are_compared),    TEST(first_world_tests),
-	    TEST(flushing_passes),         TEST(fused_products_are_found),
-	    TEST(worlds_find_differences), TEST(wrong_quotients_are_replaced),
-	    TEST(verdicts_are_stored),     TEST(commands_print_verdicts),
-	    TEST(bad_names_are_refused),   TEST(test_is_quick),
+	    TEST(results_are_compared),
+	    TEST(simplified_zeros_pass),
+	    TEST(first_world_tests),
+	    TEST(flushing_passes),
+	    TEST(fused_products_are_found),
+	    TEST(worlds_find_differences),
+	    TEST(wrong_quotients_are_replaced),
+	    TEST(verdicts_are_stored),
+	    TEST(commands_print_verdicts),
+	    TEST(bad_names_are_refused),
+	    TEST(test_is_quick),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

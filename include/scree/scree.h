@@ -191,8 +191,9 @@ typedef struct scree_device
 	bool tested;           // true: a verdict on the device is stored (scree_device_test), or it is the CPU
 	bool own_rounding;     // if tested: quotients and roots are rounded by integers, as the device does so wrongly
 	bool keeps_denormals; // if tested: the device keeps numbers below 1.2e-38; others treat them as 0, which is allowed
-	int tested_results;   // number of float results that were compared with those of the CPU
-	int tested_worlds;    // number of small worlds whose hashes were compared, each form of execution counted
+	bool keeps_zeros; // if tested: operations with a constant 0 have the correct sign; others may not, which is allowed
+	int tested_results; // number of float results that were compared with those of the CPU
+	int tested_worlds;  // number of small worlds whose hashes were compared, each form of execution counted
 } scree_device;
 
 // Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null if capacity is

@@ -14,7 +14,7 @@
 
 typedef struct Backend Backend;
 
-#define DIFFERENCE_BYTES 137 // maximum size of a clause that names the first wrong result of a device, with its end
+#define DIFFERENCE_BYTES 140 // maximum size of a clause that names the first wrong result of a device, with its end
 
 typedef struct // result of a TestWorlds
 {

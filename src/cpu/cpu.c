@@ -181,7 +181,8 @@ int cpu_devices(scree_device* devices, int capacity)
 	if (capacity > 0)
 	{
 		int lanes = processor_widest_lanes();
-		devices[0] = (scree_device){.name = "cpu", .equal_bits = true, .tested = true, .keeps_denormals = true};
+		devices[0] = (scree_device){
+		    .name = "cpu", .equal_bits = true, .tested = true, .keeps_denormals = true, .keeps_zeros = true};
 		devices[0].compute_units = processor_cores();
 		devices[0].memory = processor_memory();
 		snprintf(devices[0].driver, sizeof(devices[0].driver), "%d lanes, %s", lanes, processor_instructions(lanes));

@@ -3,8 +3,8 @@
 // arithmetic.def, and the CPU the same. The CPU itself is tested by cpu/self_test.c.
 //
 // Devices may flush denormals to 0, since these decide no bit (docs/determinism.md). So results with a denormal operand
-// or a denormal intermediate result only tell whether the device keeps them. All others must be equal, except for the
-// bits of a NaN.
+// or a denormal intermediate result only tell whether the device keeps them. Likewise a compiler may simplify operations
+// with a constant 0. All other results must be equal, except for the bits of a NaN.
 #include "opencl/arithmetic_test.h"
 #include "backend/arithmetic.h"
 #include "opencl/compile.h"
@@ -140,10 +140,20 @@ static void print_operation(char* text, size_t size, int operation, int number)
 }
 
 static bool is_nan(Word bits) { return (bits & 0x7fffffffu) > 0x7f800000u; }
+static bool is_zero(Word bits) { return (bits & 0x7fffffffu) == 0u; }
+
+// Returns true for a result of a compiler that replaces a * 0 by 0, a + 0 by a or 0 - a by -a, as that of llvmpipe does:
+// zeros have the wrong sign, and the product of an infinite number and 0 is no NaN.
+static bool is_simplified(int operation, Word expected, Word got)
+{
+	if (operation < ARITHMETIC_TIMES_ZERO || operation > ARITHMETIC_ZERO_LESS)
+		return false;
+	return is_zero(got) && (is_zero(expected) || (operation == ARITHMETIC_TIMES_ZERO && is_nan(expected)));
+}
 
 int arithmetic_compare(const Word* results, Verdict* verdict)
 {
-	verdict->keeps_denormals = true;
+	verdict->keeps_denormals = verdict->keeps_zeros = true;
 	for (int i = 0; i < ARITHMETIC_RESULTS; ++i)
 	{
 		int operation = i / ARITHMETIC_CASES, number = i % ARITHMETIC_CASES;
@@ -156,8 +166,10 @@ int arithmetic_compare(const Word* results, Verdict* verdict)
 		ResultType type = operations[operation].type;
 		if (got == expected || (type == RESULT_FLOAT && is_nan(got) && is_nan(expected)))
 			continue;
-		verdict->keeps_denormals &= !denormal;
-		if (denormal)
+		bool simplified = is_simplified(operation, expected, got);
+		verdict->keeps_zeros &= !simplified;
+		verdict->keeps_denormals &= simplified || !denormal;
+		if (denormal || simplified)
 			continue;
 		char text[74], ours[17], theirs[17]; // the longest operation has four operands of 16 characters
 		print_operation(text, sizeof text, operation, number);

@@ -107,6 +107,7 @@ void device_judge(Device* device, const Verdict* verdict)
 	about->tested_worlds = verdict->worlds;
 	about->own_rounding = verdict->own_rounding;
 	about->keeps_denormals = verdict->keeps_denormals;
+	about->keeps_zeros = verdict->keeps_zeros;
 	about->equal_bits = verdict->equal;
 	if (!verdict->equal)
 		snprintf(about->reason, sizeof about->reason, "%s; scree_world_def.allow_unequal_bits runs it anyway",

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #define MOST_VERDICTS 64 // verdicts in memory; a further one replaces the oldest
-#define TESTS_VERSION 1  // increased when the tests change in files that are no part of a program (sample_worlds.c)
+#define TESTS_VERSION 2  // increased when the tests change in files that are no part of a program (sample_worlds.c)
 
 extern const char opencl_program[], arithmetic_program[]; // written by cmake/embed.cmake
 extern const size_t opencl_program_length, arithmetic_program_length;

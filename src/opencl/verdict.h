@@ -11,9 +11,10 @@ typedef struct // stored as it is, without padding
 	bool equal;           // true: all were equal
 	bool own_rounding;    // true: quotients and roots are rounded by dialect/own_rounding.h
 	bool keeps_denormals; // true: denormal operands and results were not flushed to 0
+	bool keeps_zeros;     // true: operations with a constant 0 were not simplified (arithmetic_test.c)
 	char difference[DIFFERENCE_BYTES]; // if `equal` is false: such as "it computes ..."
 } Verdict;
-_Static_assert(sizeof(Verdict) == 2 * sizeof(int) + 3 * sizeof(bool) + DIFFERENCE_BYTES, "a verdict has padding");
+_Static_assert(sizeof(Verdict) == 2 * sizeof(int) + 4 * sizeof(bool) + DIFFERENCE_BYTES, "a verdict has padding");
 
 // Returns the key of the verdict on a device: a digest of everything that may change it. identity: that of the Device.
 // launches: true if the program lacks the kernels of the other forms.
