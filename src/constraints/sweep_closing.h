@@ -71,13 +71,18 @@ INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
 // Returns the time, in steps, at which the prediction ends: one substep after the end of the step; 1 if dt is 0.
 INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + quotient(step->h, step->dt) : 1.0f; }
 
+RARE Vec sweep_slower(const Step* step, Vec v)
+{
+	v = vec_flush_tiny(vec_limit(v, step->max_speed));
+	return vec(number_of(v.x), number_of(v.y));
+}
+
 // Returns a velocity limited to max_speed; 0 for a velocity that is not finite, because its body will be frozen.
 INLINE Vec sweep_velocity(const Step* step, Vec v)
 {
 	if (!lane_bits((vec_dot(v, v) <= splat(step->max_speed * step->max_speed)) == 0))
 		return v;
-	v = vec_flush_tiny(vec_limit(v, step->max_speed));
-	return vec(number_of(v.x), number_of(v.y));
+	return sweep_slower(step, v);
 }
 
 INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)

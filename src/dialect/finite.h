@@ -31,13 +31,17 @@
 // product of its inverse and a lever arm is not denormal.
 #define MOST_INERTIA 1.26765060e30f // 2^100
 
-// Returns x, or 0 if x is below `least`; NaN stays NaN. The result is never a negative zero. OpenCL on a CPU compares
-// the bits, because PoCL 6 aborts when it compiles some kernels that compare the floats (docs/opencl.md).
-#ifdef CALLS
-INLINE Real flush_below(Real x, float least) { return only(x, (float_bits(x) & 0x7fffffff) >= float_bits(least)); }
+// Returns true for NaN and for numbers of at least `least` or, if negative, at most -least. Several lanes compare the bits,
+// because integers take 1 cycle and floats 4; and so does OpenCL on a CPU, because PoCL 6 aborts when it compiles some
+// kernels that compare the floats (docs/opencl.md).
+#if defined(CALLS) || LANES > 1
+INLINE Int not_below(Real x, float least) { return (real_bits(x) & 0x7fffffff) >= float_bits(least); }
 #else
-INLINE Real flush_below(Real x, float least) { return only(x, (absolute(x) < splat(least)) == 0); }
+INLINE Int not_below(Real x, float least) { return (absolute(x) < splat(least)) == 0; }
 #endif
+
+// Returns x, or 0 if x is below `least`; NaN stays NaN. The result is never a negative zero.
+INLINE Real flush_below(Real x, float least) { return only(x, not_below(x, least)); }
 INLINE Real flush_element(Real x) { return flush_below(x, LEAST_ELEMENT); }
 INLINE Real flush_tiny(Real x) { return flush_below(x, TINY); }
 INLINE Vec vec_flush_tiny(Vec v) { return vec(flush_tiny(v.x), flush_tiny(v.y)); }
@@ -66,8 +70,12 @@ INLINE Real bounded_impulse(Real x)
 	return only(x, (most >= splat(TINY)) & (most <= splat(MOST_IMPULSE)));
 }
 
-// Clamps an impulse to -limit .. limit; limit is finite. NaN becomes -limit, a tiny result 0.
-INLINE Real grip_of(Real x, Real limit) { return flush_tiny(minimum(limit, maximum(-limit, x))); }
+// Clamps an impulse to -limit .. limit; limit is finite and not negative. NaN becomes -limit, a tiny result 0: then x or
+// limit is tiny, which a processor finds while it clamps.
+INLINE Real grip_of(Real x, Real limit)
+{
+	return only(minimum(limit, maximum(-limit, x)), not_below(x, TINY) & (limit >= splat(TINY)));
+}
 
 // Returns a vector with its length reduced to `length`, or unchanged if it is not longer. A vector whose square may
 // overflow is scaled down first. A vector that is not finite becomes NaN.

@@ -122,16 +122,22 @@ const char* processor_instructions(int lanes)
 #if X86
 
 #define MXCSR_DEFAULT 0x1f80u // all exceptions masked, round to nearest, neither FTZ nor DAZ
+#define MXCSR_RAISED  0x3fu   // flags of exceptions that occurred, which are no part of the mode
 
 MODE_CALL FloatMode float_mode_enter(void)
 {
 	FloatMode found = _mm_getcsr();
-	if (found != MXCSR_DEFAULT)
+	if ((found & ~MXCSR_RAISED) != MXCSR_DEFAULT)
 		_mm_setcsr(MXCSR_DEFAULT);
 	return found;
 }
 
-MODE_CALL void float_mode_leave(FloatMode found) { _mm_setcsr((unsigned)found); }
+// Writes the register only if the mode differs: that takes longer than reading it, and every call of the library ends so.
+MODE_CALL void float_mode_leave(FloatMode found)
+{
+	if ((found & ~MXCSR_RAISED) != (_mm_getcsr() & ~MXCSR_RAISED))
+		_mm_setcsr((unsigned)found);
+}
 void float_mode_flush(void) { _mm_setcsr(MXCSR_DEFAULT | 0x8040u); } // FTZ, DAZ
 
 #elif defined(__aarch64__)

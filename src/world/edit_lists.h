@@ -8,20 +8,20 @@
 
 typedef struct // row of a created or destroyed body; if destroyed, values are 0 and the rotation is (1, 0)
 {
-	int index;
+	int index;       // first in the struct (edit_order.c)
 	int since;       // number of commands recorded before this row; they belong to the previous body in the slot
 	scree_pose pose; // pose of the origin
 	scree_vec center;
 	scree_velocity velocity;
-	float inv_mass, inv_inertia;
 	BodyValues values;
+	float inv_mass, inv_inertia;
 	uint32_t locks;
 	bool disabled;
 } BodyRow;
 
 typedef struct // row of a created or destroyed collidable; the upload reads the values from HostCollidable
 {
-	int index;
+	int index; // as BodyRow.index
 	int since; // as BodyRow.since
 } CollidableRow;
 

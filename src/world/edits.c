@@ -37,13 +37,12 @@ void edits_body(scree_world* world, BodyRow row)
 	PendingEdits* waiting = &world->host_bodies[row.index].waiting;
 	if (waiting->row == 0)
 		waiting->row = ++p->body_count;
-	row.since = p->command_count;
 	note_heavy(world, row.inv_mass, row.inv_inertia);
-	flush_row(&row.pose.position.x, 4);
-	flush_row(&row.center.x, 2);
-	flush_row(&row.velocity.linear.x, 3);
-	flush_row((float*)&row.values, sizeof row.values / sizeof(float));
-	p->bodies[waiting->row - 1] = row;
+	BodyRow* to = &p->bodies[waiting->row - 1];
+	*to = row;
+	to->since = p->command_count;
+	// all numbers but the inverses, which may be tiny; from `row`, because the processor stores *to in other parts
+	flush_copy(&to->pose.position.x, &row.pose.position.x, (int)(&row.inv_mass - &row.pose.position.x));
 }
 
 void edits_collidable(scree_world* world, int index)

@@ -7,12 +7,15 @@
 #include "world/world.h"
 #include <string.h>
 
-// Sets tiny values of the user to 0 (finite.h) in a row of floats.
-static inline void flush_row(float* row, int count)
+// Copies a row of floats of the user, of which tiny ones become 0 (finite.h).
+static inline void flush_copy(float* to, const float* from, int count)
 {
 	for (int k = 0; k < count; ++k)
-		row[k] = flush_tiny(row[k]);
+		to[k] = flush_tiny(from[k]);
 }
+
+// Likewise in place.
+static inline void flush_row(float* row, int count) { flush_copy(row, row, count); }
 
 // Likewise for all floats of a struct from one member to another, of which both are included.
 #define FLUSH_MEMBERS(item, first, last) flush_row(&(item)->first, (int)(&(item)->last - &(item)->first) + 1)
