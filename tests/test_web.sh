@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# test_web.sh -- checks the builds for WebAssembly: the golden hash of every scene; interface, example and size of the npm package.
+# test_web.sh -- checks the builds for WebAssembly: the golden hash of every scene; interface, example and size of the npm package,
+# whose example also runs in Chromium.
 set -euo pipefail
 build=$SCREE_SOURCE/build
 for form in scalar simd threads; do
@@ -36,6 +37,13 @@ done
 ${CC:-cc} -std=c17 -I"$SCREE_SOURCE/include" "$SCREE_SOURCE/examples/hello.c" "$SCREE_BUILD/libscree.a" -lm -ldl -pthread -o "$scratch/hello"
 [ "$(wc -l <"$SCREE_SOURCE/examples/hello.mjs")" -le 30 ]
 [ "cpu: $(node "$scratch/hello.mjs")" = "$("$scratch/hello")" ] || { echo "hello.mjs and hello.c differ:" "$(node "$scratch/hello.mjs")" "$("$scratch/hello")"; exit 1; }
+if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then
+	line=$(timeout 300 node "$SCREE_SOURCE/tests/web/browser.mjs" "$scratch")
+	[ "cpu: $line" = "$("$scratch/hello")" ] || { echo "hello.mjs in Chromium and hello.c differ: $line"; exit 1; }
+else
+	echo "the package was not run in a browser: there is no chromium or no chromedriver; Debian has them in chromium and chromium-driver"
+	case " $SCREE_EXPECT " in *" web "*) exit 1 ;; esac
+fi
 for file in $(node -p 'JSON.parse(fs.readFileSync(process.argv[1])).files.join(" ")' "$package/package.json"); do
 	[ -s "$package/$file" ] || { echo "package.json names $file, which is not there"; exit 1; }
 done

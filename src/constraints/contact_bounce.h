@@ -39,7 +39,7 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 	Real row[8], zero = splat(0.0f);
 	gather_rows8((GLOBAL float*)p->motion, body, row);
 	Vec gravity = vec(splat(p->step.gravity_x), splat(p->step.gravity_y));
-	Real gained = p->step.dt * p->step.dt * vec_dot(gravity, gravity);
+	Real gained = flush_below(p->step.dt * p->step.dt * vec_dot(gravity, gravity), ABSORBS);
 	Int supported = (vec_dot(b.v, b.v) < gained) & (gather_int(p->touching, body) > 1);
 	Vec fall =
 	    vec(row[6] * (row[3] * gravity.x + b.inv_mass * row[0]), row[7] * (row[3] * gravity.y + b.inv_mass * row[1]));
@@ -56,7 +56,7 @@ INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, R
 	Real square = before * before - 2.0f * fall * gap;
 	Int bounces =
 	    (before <= splat(-TINY)) & (square > splat(step->restitution_threshold * step->restitution_threshold));
-	return only(flush_tiny(restitution * root(blend(splat(1.0f), square, bounces))), bounces);
+	return only(flush_below(restitution * root(blend(splat(1.0f), square, bounces)), ROOT_ABSORBS), bounces);
 }
 
 // J: Returns the maximum energy of two bodies after a bounce: their relative kinetic energy at impact, with an upper

@@ -346,9 +346,11 @@ INLINE Real pair_energy(const ContactArms* c)
 	Int turns_a = c->a.inv_inertia > zero, turns_b = c->b.inv_inertia > zero;
 	Vec a = vec_blend(body_velocity_at(c->a, c->ra[0]), c->a.v, moves_a),
 	    b = vec_blend(body_velocity_at(c->b, c->rb[0]), c->b.v, moves_b), v = vec_sub(b, a);
-	Real energy = quotient(vec_dot(v, v), blend(one, mass, mass > zero));
-	energy = energy + only(quotient(c->a.w * c->a.w, blend(one, c->a.inv_inertia, turns_a)), turns_a);
-	energy = energy + only(quotient(c->b.w * c->b.w, blend(one, c->b.inv_inertia, turns_b)), turns_b);
+	Real speed = flush_below(vec_dot(v, v), ABSORBS); // the square; masses would make denormals count
+	Real spin_a = flush_below(c->a.w * c->a.w, ABSORBS), spin_b = flush_below(c->b.w * c->b.w, ABSORBS);
+	Real energy = quotient(speed, blend(one, mass, mass > zero));
+	energy = energy + only(quotient(spin_a, blend(one, c->a.inv_inertia, turns_a)), turns_a);
+	energy = energy + only(quotient(spin_b, blend(one, c->b.inv_inertia, turns_b)), turns_b);
 	return 0.5f * energy;
 }
 
@@ -372,10 +374,13 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 	              2.0f * pair_cross(c) * impulse1 * impulse2;
 	Real left = maximum(flush_below(most - pair_energy(c), ABSORBS), zero);
 	Int more = (slope + 0.5f * yields > left) & (yields >= splat(ABSORBS));
-	// the positive root of yields / 2 part^2 + slope part = left
+	// the positive root of yields / 2 part^2 + slope part = left; 0 if the fraction is so small that its square may be
+	// a denormal, because impulses may be huge
 	Real safe = blend(one, yields, more), down = quotient(slope, safe);
-	Real part = root(only(down * down + quotient(2.0f * left, safe), more)) - down;
-	return blend(one, minimum(maximum(part, zero), one), more);
+	Real square = down * down + quotient(2.0f * left, safe);
+	Int counts = square >= splat(ABSORBS);
+	Real part = root(only(square, more & counts)) - down;
+	return blend(one, only(minimum(maximum(part, zero), one), counts), more);
 }
 
 // Applies restitution to points that will bounce (rebound > 0) and had an impulse in this step. Then clears the

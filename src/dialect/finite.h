@@ -19,6 +19,9 @@
 // it.
 #define ABSORBS 7.88860905e-31f // 2^-100
 
+// m/s: smallest rebound that counts, and smallest threshold of restitution; its square is ABSORBS.
+#define ROOT_ABSORBS 8.88178420e-16f // 2^-50
+
 // 1/kg and other units: smaller elements of the matrices of joints count as 0, because they may be divided by others.
 #define LEAST_ELEMENT 7.52316385e-37f // 2^-120
 

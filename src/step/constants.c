@@ -90,7 +90,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .max_spin = moves ? (turn < 3.14159265f ? turn : 3.14159265f) / dt : 0.0f,
 	    .push_speed = flush_tiny(tuning->contact_push_speed),
 	    .fall = flush_tiny(fall < SPECULATIVE_DISTANCE ? fall : SPECULATIVE_DISTANCE),
-	    .restitution_threshold = tuning->restitution_threshold > TINY ? tuning->restitution_threshold : TINY,
+	    .restitution_threshold =
+	        tuning->restitution_threshold > ROOT_ABSORBS ? tuning->restitution_threshold : ROOT_ABSORBS,
 	    .pair = moves ? softness(hertz, ratio, h, firm / hertz * FIRM_PAIR, gravity) : (Softness){0},
 	    .fixed = moves ? softness(fixed, ratio, h, firm / fixed * FIRM_FIXED, gravity) : (Softness){0},
 	    .has_rolling = pipeline->has_rolling,

@@ -4,11 +4,11 @@
 //
 // The engine is stored in a JavaScript module, so that every bundler includes it: one text for each column of
 // columns.mjs, with one letter per byte of the engine. The most frequent bytes have letters of one byte. After
-// compression the texts are 2 % larger than the compressed bytes of the engine (base64: 35 %).
+// compression the texts are 2 % larger than the compressed bytes of the engine (base64: 28 %).
 import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
-import {bytes_in_order, follow, is_local, move_to_front} from "./columns.mjs";
+import {bytes_in_order, follow, is_alignment, is_local, move_to_front} from "./columns.mjs";
 
 const [, , sources, scalar, simd, folder] = process.argv;
 const limit = 150000;
@@ -48,17 +48,36 @@ function number_exports(wasm, table) {
 	return Buffer.concat(parts);
 }
 
-// Returns a column as text for join(). Letters in ascending order represent bytes in ascending order; rare bytes have
-// letters of two bytes. Characters that have a meaning between backticks are not used as letters.
+// Sets the alignment of each load and store to one byte, and returns the module. An alignment is a hint that does not
+// change results; for x86-64, V8 makes the same machine code without it.
+function drop_alignments(wasm) {
+	let at = 0;
+	follow(wasm.length, (column) => {
+		if (is_alignment(column))
+			wasm[at] = 0;
+		return wasm[at++];
+	}, () => {});
+	return wasm;
+}
+
+// Letters of different classes. Brotli predicts a letter of a text from the classes of the two letters before it (RFC
+// 7932, 7.1). With one class for each of the most frequent bytes, predictions are better, which saves 0.6 %.
+const CLASSES = "!\"%(),.=0ABab \t\x01";
+
+// Returns a column as text for join(). The most frequent bytes have the letters of CLASSES; for the other bytes,
+// letters in ascending order represent bytes in ascending order, and rare bytes have letters of two bytes. Characters
+// that have a meaning between backticks are not used as letters.
 function write_column(column) {
 	const times = new Array(256).fill(0), meaning = [10, 13, 36, 92, 96];
 	for (const byte of column)
 		++times[byte];
-	const short = [...Array(128).keys()].filter((code) => code > 0 && !meaning.includes(code));
+	const first = Array.from(CLASSES, (letter) => letter.charCodeAt(0));
+	const short = [...Array(128).keys()].filter((code) => code > 0 && !meaning.includes(code) && !first.includes(code));
 	const used = [...times.keys()].filter((byte) => times[byte]).sort((a, b) => times[b] - times[a] || a - b);
 	const letters = [], ascending = (list) => list.sort((a, b) => a - b);
-	ascending(used.slice(0, short.length)).forEach((byte, k) => letters[byte] = String.fromCharCode(short[k]));
-	ascending(used.slice(short.length)).forEach((byte, k) => letters[byte] = String.fromCharCode(0xa1 + k));
+	used.splice(0, first.length).forEach((byte, k) => letters[byte] = String.fromCharCode(first[k]));
+	ascending(used.splice(0, short.length)).forEach((byte, k) => letters[byte] = String.fromCharCode(short[k]));
+	ascending(used).forEach((byte, k) => letters[byte] = String.fromCharCode(0xa1 + k));
 	for (let byte = letters.length - 2; byte >= 0; --byte)
 		letters[byte] ??= letters[byte + 1];
 	return `[\`${letters.join("")}\`, \`${column.map((byte) => letters[byte]).join("")}\`]`;
@@ -97,7 +116,7 @@ rmSync(`${folder}/columns.js`);
 const table = readFileSync(`${simd}/package/scree.js`, "utf8").match(/const FUNCTIONS = `([^`]*)`/)[1];
 let good = true;
 for (const [form, build] of [["scalar", scalar], ["simd", simd]]) {
-	const wasm = number_exports(readFileSync(`${build}/engine.wasm`), table);
+	const wasm = drop_alignments(number_exports(readFileSync(`${build}/engine.wasm`), table));
 	const module = write_module(wasm, head);
 	writeFileSync(`${folder}/${form}.js`, module);
 	writeFileSync(`${folder}/${form}.wasm`, wasm);

@@ -182,6 +182,8 @@ INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 		float bend = sum[10] + gain[0] * sum[0] + gain[1] * sum[1] + gain[2] * sum[2];
 		if (down >= ABSORBS && bend >= ABSORBS && bend <= MOST_FLOAT)
 			part = down < bend ? quotient(down, bend) : 1.0f;
+		if (part < ABSORBS) // impulses may be so large that a denormal fraction of them counts
+			part = 0.0f;
 		for (int q = 0; q < 3; ++q)
 			h->now[q] = h->free[q] + part * gain[q];
 	}
