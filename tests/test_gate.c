@@ -133,7 +133,7 @@ static void simplified_zeros_pass(void** state)
 	*sum = 0u; // not a zero
 	assert_int_equal(arithmetic_compare(results, &verdict), ARITHMETIC_PLUS_ZERO);
 	*sum = kept;
-	Word* difference = &results[ARITHMETIC_DIFFERENCE * ARITHMETIC_CASES + 10]; // of equal numbers
+	Word* difference = &results[ARITHMETIC_DIFFERENCE * ARITHMETIC_CASES + 10]; // a number less itself
 	assert_int_equal(*difference, 0);
 	*difference = 0x80000000u;
 	assert_int_equal(arithmetic_compare(results, &verdict), ARITHMETIC_DIFFERENCE);
