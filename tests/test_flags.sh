@@ -31,9 +31,11 @@ grep 'error.*scree: -ffast-math' "$scratch/log" | cut -d' ' -f1 | sort | comm -2
 	complain "these files accept -ffast-math; they must include platform/exact_floats.h:" $(<"$scratch/careless")
 [ "$(wc -l <"$scratch/files")" -gt 150 ] || complain "only $(wc -l <"$scratch/files") files were found"
 
-# ----- every public function with a status enters the library's floating-point mode -----
+# ----- every public function that has a status or calls a driver enters the library's floating-point mode -----
 
-awk '/^scree_status scree_/ { name = $2; sub(/\(.*/, "", name) } name && $0 == "{" { getline; if ($0 != "\tFLOAT_MODE_HERE;") print name; name = "" }
+awk '/^(scree_status scree_|void scree_world_(destroy|unshare)|const char\* scree_opencl_hint)/ {
+		match($0, /scree_[a-z0-9_]+\(/); name = substr($0, RSTART, RLENGTH - 1) }
+	name && $0 == "{" { getline; if ($0 != "\tFLOAT_MODE_HERE;") print name; name = "" }
 	/;$/ { name = "" }' src/api/*/*.c >"$scratch/modeless"
 [ ! -s "$scratch/modeless" ] || complain "these functions do not begin with FLOAT_MODE_HERE:" $(<"$scratch/modeless")
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// test_float_mode.c -- checks that calls give the same bits in any floating-point mode of the program that makes them.
+// test_float_mode.c -- checks that calls give the same bits in any floating-point mode of the program that makes them,
+// and that no call traps.
 //
 // Formula: the results of a list of calls are equal in the default mode, and in the mode of support/host_mode.h. All
 // arguments are constants or earlier results, because the program itself computes nothing in that mode.
 #include "support/checks.h"
 #include "support/host_mode.h"
+#include "support/second_device.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -259,9 +262,49 @@ static void mode_is_restored(void** state)
 #endif
 }
 
+// Calls from a program that traps overflows, underflows and the like end no process, also if the first one loads OpenCL,
+// whose threads then keep the mode; the program still traps afterwards.
+static void traps_do_not_occur(void** state)
+{
+	if (!host_traps_enter())
+		skip();
+	scree_opencl_hint();
+	assert_int_equal(find_second_device(state), 0);
+	const scree_vec huge = {1e38f, -3e38f}, tiny = {1e-40f, -1e-38f};
+	const char* devices[] = {"cpu", second_device};
+	uint64_t hashes[2];
+	for (int k = 0; k < (second_device[0] ? 2 : 1); ++k)
+	{
+		scree_world_def def = scree_world_def_default();
+		def.device = devices[k];
+		def.threads = 2;
+		scree_world* world;
+		scree_body bodies[2];
+		scree_body_def body_def = scree_body_def_default();
+		scree_attribute_def attribute_def = scree_attribute_def_default();
+		OK(scree_world_create(&def, &world));
+		OK(scree_attribute_create(world, &attribute_def, &body_def.attribute));
+		OK(scree_body_create(world, &body_def, &bodies[0]));
+		OK(scree_body_create(world, &body_def, &bodies[1]));
+		for (int step = 0; step < 10; ++step)
+		{
+			OK(scree_body_apply_force(world, bodies[0], huge));
+			OK(scree_body_apply_force(world, bodies[0], huge));
+			OK(scree_body_apply_impulse(world, bodies[1], tiny));
+			OK(scree_world_step(world, 1.0f / 60.0f, 4));
+		}
+		assert_int_equal(scree_world_step(world, NAN, 4), SCREE_ERROR_INVALID);
+		OK(scree_world_get_hash(world, &hashes[k]));
+		scree_world_destroy(world);
+	}
+	assert_true(host_traps_leave());
+	assert_true(!second_device[0] || hashes[0] == hashes[1]);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(traps_do_not_occur), // first, because it loads OpenCL
 	    cmocka_unit_test(modes_change_nothing),
 	    cmocka_unit_test(mode_is_restored),
 	};
