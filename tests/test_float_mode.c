@@ -262,6 +262,32 @@ static void mode_is_restored(void** state)
 #endif
 }
 
+// Rotations and angles are returned by value, so nothing but their own code rounds them before the mode of the program
+// returns.
+static void returned_values_are_rounded(void** state)
+{
+	(void)state;
+	static Record records[2];
+	for (int k = 0; k < 2; ++k)
+	{
+		Record* r = &records[k];
+		r->mode = k;
+		for (int turn = -500; turn <= 500; ++turn)
+		{
+			scree_rot rotation = turned(r, (float)turn * 0.0123f);
+			if (r->mode)
+				host_mode_enter();
+			float angle = scree_rot_get_angle(rotation);
+			if (r->mode)
+				host_mode_leave();
+			KEEP(rotation);
+			KEEP(angle);
+		}
+	}
+	assert_int_equal(records[0].size, records[1].size);
+	assert_memory_equal(records[0].bytes, records[1].bytes, records[0].size);
+}
+
 // Calls from a program that traps overflows, underflows and the like end no process, also if the first one loads OpenCL,
 // whose threads then keep the mode; the program still traps afterwards.
 static void traps_do_not_occur(void** state)
@@ -271,6 +297,8 @@ static void traps_do_not_occur(void** state)
 	scree_opencl_hint();
 	assert_int_equal(find_second_device(state), 0);
 	const scree_vec huge = {1e38f, -3e38f}, tiny = {1e-40f, -1e-38f};
+	scree_rot_make(1e-40f);
+	scree_rot_get_angle((scree_rot){1.0f, 1e-40f});
 	const char* devices[] = {"cpu", second_device};
 	uint64_t hashes[2];
 	for (int k = 0; k < (second_device[0] ? 2 : 1); ++k)
@@ -305,6 +333,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(traps_do_not_occur), // first, because it loads OpenCL
+	    cmocka_unit_test(returned_values_are_rounded),
 	    cmocka_unit_test(modes_change_nothing),
 	    cmocka_unit_test(mode_is_restored),
 	};
