@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_float_mode.c -- checks that calls give the same bits in any floating-point mode of the program that makes them,
-// and that no call traps.
+// in any that its hooks leave, and that no call traps.
 //
 // Formula: the results of a list of calls are equal in the default mode, and in the mode of support/host_mode.h. All
 // arguments are constants or earlier results, because the program itself computes nothing in that mode.
@@ -9,6 +9,7 @@
 #include "support/second_device.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define MOST 16384
@@ -243,6 +244,42 @@ static void modes_change_nothing(void** state)
 	}
 }
 
+static void* changing_allocate(size_t bytes, size_t alignment, void* context)
+{
+	(void)context;
+	host_mode_enter();
+#ifdef _WIN32
+	return _aligned_malloc(bytes, alignment);
+#else
+	return aligned_alloc(alignment, bytes);
+#endif
+}
+
+static void changing_release(void* memory, void* context)
+{
+	(void)context;
+	host_mode_enter();
+#ifdef _WIN32
+	_aligned_free(memory);
+#else
+	free(memory);
+#endif
+}
+
+// Hooks that leave another mode behind change no result.
+static void hooks_change_nothing(void** state)
+{
+	(void)state;
+	static Record expected, found;
+	run(&expected, 1, 1);
+	const scree_hooks hooks = {.allocate = changing_allocate, .release = changing_release};
+	OK(scree_hooks_set(&hooks));
+	run(&found, 4, 0);
+	OK(scree_hooks_set(NULL));
+	assert_int_equal(found.size, expected.size);
+	assert_memory_equal(found.bytes, expected.bytes, found.size);
+}
+
 // Checks that a call restores the mode of the program.
 static void mode_is_restored(void** state)
 {
@@ -333,9 +370,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(traps_do_not_occur), // first, because it loads OpenCL
-	    cmocka_unit_test(returned_values_are_rounded),
-	    cmocka_unit_test(modes_change_nothing),
-	    cmocka_unit_test(mode_is_restored),
+	    cmocka_unit_test(returned_values_are_rounded), cmocka_unit_test(modes_change_nothing),
+	    cmocka_unit_test(hooks_change_nothing),        cmocka_unit_test(mode_is_restored),
 	};
 	return cmocka_run_group_tests(tests, NULL, memory_is_released);
 }
