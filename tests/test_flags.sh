@@ -150,6 +150,18 @@ for built in "$SCREE_BUILD/libscree.a" "$SCREE_BUILD/libscree.so" "$SCREE_BINARY
 	[ "$number" = 0 ] || complain "$built has $number fused instructions"
 done
 
+# ----- each language gets the flags of its own compiler -----
+
+if command -v clang >/dev/null && command -v g++ >/dev/null; then
+	cmake -S . -B "$scratch/mixed" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=g++ -DSCREE_BUILD_TESTS=OFF \
+		-DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$scratch/log" 2>&1 || complain "clang with g++: $(<"$scratch/log")"
+	commands=$(grep '"command"' "$scratch/mixed/compile_commands.json")
+	grep -q 'clang.*-fdenormal-fp-math=ieee' <<<"$commands" || complain "clang with g++: clang lacks -fdenormal-fp-math"
+	if grep 'g++' <<<"$commands" | grep -q 'fdenormal'; then
+		complain "clang with g++: g++ gets -fdenormal-fp-math, which it refuses"
+	fi
+fi
+
 # ----- projects that set flags -----
 
 cat >"$scratch/CMakeLists.txt" <<'CMAKE'
