@@ -5,11 +5,14 @@
 # project come first, so each is undone by its name: after -ffinite-math-only, -fno-fast-math alone has no effect in gcc.
 # In clang, -fno-fast-math turns contraction on, so contraction comes last.
 set(SCREE_FLOAT_FLAGS -fno-fast-math -fno-associative-math -fno-reciprocal-math -fno-finite-math-only -fsigned-zeros)
-if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
-	# in clang, -fno-unsafe-math-optimizations would turn on floating-point exceptions
-	list(APPEND SCREE_FLOAT_FLAGS -fno-unsafe-math-optimizations -fno-rounding-math -fno-single-precision-constant)
-elseif(NOT EMSCRIPTEN)
-	list(APPEND SCREE_FLOAT_FLAGS -fdenormal-fp-math=ieee) # after -Ofast
+# C and C++ may have different compilers, as with CC=clang and no CXX.
+set(gnu "$<OR:$<COMPILE_LANG_AND_ID:C,GNU>,$<COMPILE_LANG_AND_ID:CXX,GNU>>")
+# in clang, -fno-unsafe-math-optimizations would turn on floating-point exceptions
+foreach(flag -fno-unsafe-math-optimizations -fno-rounding-math -fno-single-precision-constant)
+	list(APPEND SCREE_FLOAT_FLAGS $<${gnu}:${flag}>)
+endforeach()
+if(NOT EMSCRIPTEN)
+	list(APPEND SCREE_FLOAT_FLAGS $<$<NOT:${gnu}>:-fdenormal-fp-math=ieee>) # after -Ofast
 endif()
 list(APPEND SCREE_FLOAT_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math)
 # No file needs instructions that fuse; lanes16.c turns AVX-512 on again. Floats of 32-bit x86 use SSE2.

@@ -5,6 +5,7 @@
 #include "opencl/device.h"
 #include "support/checks.h"
 #include "support/environment.h"
+#include "support/log_lines.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -87,6 +88,40 @@ static void no_folder_no_cache(void** state)
 	check_read(key, NULL);
 }
 
+// Checks that a folder is used whose path has some hundred or thousand characters, and a longer one is not, with a sentence.
+static void long_paths_are_whole(void** state)
+{
+	(void)state;
+#ifdef _WIN32
+	skip(); // Windows takes paths of 259 characters
+#else
+	char old[512], path[5000], name[101];
+	snprintf(old, sizeof old, "%s", getenv("SCREE_CACHE"));
+	memset(name, 'x', 100);
+	name[100] = '\0';
+	const int lengths[] = {920, 3990, 4010};
+	for (int k = 0; k < 3; ++k)
+	{
+		int length = snprintf(path, sizeof path, "%s/long", old);
+		while (length < lengths[k])
+			length += snprintf(path + length, sizeof path - (size_t)length, "/%s", name);
+		path[lengths[k]] = '\0';
+		if (path[lengths[k] - 1] == '/')
+			path[lengths[k] - 1] = 'x';
+		set_environment("SCREE_CACHE", path);
+		keep_log(state);
+		cache_write(key_of("long"), (const unsigned char*)"x", 1);
+		check_read(key_of("long"), k < 2 ? "x" : NULL);
+		assert_int_equal(log_count > 0, k == 2);
+		assert_true(k < 2 || was_logged("The path of the cache has 4010 characters"));
+		release_log(state);
+	}
+	set_environment("SCREE_CACHE", old);
+	snprintf(path, sizeof path, "rm -rf '%s/long'", old);
+	assert_int_equal(system(path), 0);
+#endif
+}
+
 static int built(const Device* device, cl_context context, const char* text, const char* kernel_name)
 {
 	cl_program program = NULL;
@@ -141,6 +176,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(damaged_files_are_not_read),
 	    cmocka_unit_test(no_folder_no_cache),
+	    cmocka_unit_test(long_paths_are_whole),
 	    cmocka_unit_test(programs_are_kept),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

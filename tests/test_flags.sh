@@ -31,9 +31,11 @@ grep 'error.*scree: -ffast-math' "$scratch/log" | cut -d' ' -f1 | sort | comm -2
 	complain "these files accept -ffast-math; they must include platform/exact_floats.h:" $(<"$scratch/careless")
 [ "$(wc -l <"$scratch/files")" -gt 150 ] || complain "only $(wc -l <"$scratch/files") files were found"
 
-# ----- every public function with a status enters the library's floating-point mode -----
+# ----- every public function that has a status or calls a driver enters the library's floating-point mode -----
 
-awk '/^scree_status scree_/ { name = $2; sub(/\(.*/, "", name) } name && $0 == "{" { getline; if ($0 != "\tFLOAT_MODE_HERE;") print name; name = "" }
+awk '/^(scree_status scree_|void scree_world_(destroy|unshare)|const char\* scree_opencl_hint)/ {
+		match($0, /scree_[a-z0-9_]+\(/); name = substr($0, RSTART, RLENGTH - 1) }
+	name && $0 == "{" { getline; if ($0 != "\tFLOAT_MODE_HERE;") print name; name = "" }
 	/;$/ { name = "" }' src/api/*/*.c >"$scratch/modeless"
 [ ! -s "$scratch/modeless" ] || complain "these functions do not begin with FLOAT_MODE_HERE:" $(<"$scratch/modeless")
 
@@ -147,6 +149,18 @@ for built in "$SCREE_BUILD/libscree.a" "$SCREE_BUILD/libscree.so" "$SCREE_BINARY
 	number=$(fused objdump "$built")
 	[ "$number" = 0 ] || complain "$built has $number fused instructions"
 done
+
+# ----- each language gets the flags of its own compiler -----
+
+if command -v clang >/dev/null && command -v g++ >/dev/null; then
+	cmake -S . -B "$scratch/mixed" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=g++ -DSCREE_BUILD_TESTS=OFF \
+		-DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$scratch/log" 2>&1 || complain "clang with g++: $(<"$scratch/log")"
+	commands=$(grep '"command"' "$scratch/mixed/compile_commands.json")
+	grep -q 'clang.*-fdenormal-fp-math=ieee' <<<"$commands" || complain "clang with g++: clang lacks -fdenormal-fp-math"
+	if grep 'g++' <<<"$commands" | grep -q 'fdenormal'; then
+		complain "clang with g++: g++ gets -fdenormal-fp-math, which it refuses"
+	fi
+fi
 
 # ----- projects that set flags -----
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// test_float_mode.c -- checks that calls give the same bits in any floating-point mode of the program that makes them.
+// test_float_mode.c -- checks that calls give the same bits in any floating-point mode of the program that makes them,
+// in any that its hooks leave, and that no call traps.
 //
 // Formula: the results of a list of calls are equal in the default mode, and in the mode of support/host_mode.h. All
 // arguments are constants or earlier results, because the program itself computes nothing in that mode.
 #include "support/checks.h"
 #include "support/host_mode.h"
+#include "support/second_device.h"
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define MOST 16384
@@ -240,6 +244,42 @@ static void modes_change_nothing(void** state)
 	}
 }
 
+static void* changing_allocate(size_t bytes, size_t alignment, void* context)
+{
+	(void)context;
+	host_mode_enter();
+#ifdef _WIN32
+	return _aligned_malloc(bytes, alignment);
+#else
+	return aligned_alloc(alignment, bytes);
+#endif
+}
+
+static void changing_release(void* memory, void* context)
+{
+	(void)context;
+	host_mode_enter();
+#ifdef _WIN32
+	_aligned_free(memory);
+#else
+	free(memory);
+#endif
+}
+
+// Hooks that leave another mode behind change no result.
+static void hooks_change_nothing(void** state)
+{
+	(void)state;
+	static Record expected, found;
+	run(&expected, 1, 1);
+	const scree_hooks hooks = {.allocate = changing_allocate, .release = changing_release};
+	OK(scree_hooks_set(&hooks));
+	run(&found, 4, 0);
+	OK(scree_hooks_set(NULL));
+	assert_int_equal(found.size, expected.size);
+	assert_memory_equal(found.bytes, expected.bytes, found.size);
+}
+
 // Checks that a call restores the mode of the program.
 static void mode_is_restored(void** state)
 {
@@ -259,11 +299,79 @@ static void mode_is_restored(void** state)
 #endif
 }
 
+// Rotations and angles are returned by value, so nothing but their own code rounds them before the mode of the program
+// returns.
+static void returned_values_are_rounded(void** state)
+{
+	(void)state;
+	static Record records[2];
+	for (int k = 0; k < 2; ++k)
+	{
+		Record* r = &records[k];
+		r->mode = k;
+		for (int turn = -500; turn <= 500; ++turn)
+		{
+			scree_rot rotation = turned(r, (float)turn * 0.0123f);
+			if (r->mode)
+				host_mode_enter();
+			float angle = scree_rot_get_angle(rotation);
+			if (r->mode)
+				host_mode_leave();
+			KEEP(rotation);
+			KEEP(angle);
+		}
+	}
+	assert_int_equal(records[0].size, records[1].size);
+	assert_memory_equal(records[0].bytes, records[1].bytes, records[0].size);
+}
+
+// Calls from a program that traps overflows, underflows and the like end no process, also if the first one loads OpenCL,
+// whose threads then keep the mode; the program still traps afterwards.
+static void traps_do_not_occur(void** state)
+{
+	if (!host_traps_enter())
+		skip();
+	scree_opencl_hint();
+	assert_int_equal(find_second_device(state), 0);
+	const scree_vec huge = {1e38f, -3e38f}, tiny = {1e-40f, -1e-38f};
+	scree_rot_make(1e-40f);
+	scree_rot_get_angle((scree_rot){1.0f, 1e-40f});
+	const char* devices[] = {"cpu", second_device};
+	uint64_t hashes[2];
+	for (int k = 0; k < (second_device[0] ? 2 : 1); ++k)
+	{
+		scree_world_def def = scree_world_def_default();
+		def.device = devices[k];
+		def.threads = 2;
+		scree_world* world;
+		scree_body bodies[2];
+		scree_body_def body_def = scree_body_def_default();
+		scree_attribute_def attribute_def = scree_attribute_def_default();
+		OK(scree_world_create(&def, &world));
+		OK(scree_attribute_create(world, &attribute_def, &body_def.attribute));
+		OK(scree_body_create(world, &body_def, &bodies[0]));
+		OK(scree_body_create(world, &body_def, &bodies[1]));
+		for (int step = 0; step < 10; ++step)
+		{
+			OK(scree_body_apply_force(world, bodies[0], huge));
+			OK(scree_body_apply_force(world, bodies[0], huge));
+			OK(scree_body_apply_impulse(world, bodies[1], tiny));
+			OK(scree_world_step(world, 1.0f / 60.0f, 4));
+		}
+		assert_int_equal(scree_world_step(world, NAN, 4), SCREE_ERROR_INVALID);
+		OK(scree_world_get_hash(world, &hashes[k]));
+		scree_world_destroy(world);
+	}
+	assert_true(host_traps_leave());
+	assert_true(!second_device[0] || hashes[0] == hashes[1]);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(modes_change_nothing),
-	    cmocka_unit_test(mode_is_restored),
+	    cmocka_unit_test(traps_do_not_occur), // first, because it loads OpenCL
+	    cmocka_unit_test(returned_values_are_rounded), cmocka_unit_test(modes_change_nothing),
+	    cmocka_unit_test(hooks_change_nothing),        cmocka_unit_test(mode_is_restored),
 	};
 	return cmocka_run_group_tests(tests, NULL, memory_is_released);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cache.c -- stores compiled programs on disk: one file per key, written under a temporary name and then renamed.
+// cache.c -- stores compiled programs and verdicts on disk: one file per key, written under a temporary name and then
+// renamed.
 #include "opencl/cache.h"
 #include "platform/error.h"
 #include <errno.h>
@@ -14,6 +15,7 @@
 #define process_number()  _getpid()
 #define HOME              "LOCALAPPDATA"
 #define BELOW_HOME        "/scree"
+#define SEPARATORS        "/\\"
 #else
 #include <sys/stat.h>
 #include <unistd.h>
@@ -21,10 +23,12 @@
 #define process_number()  (int)getpid()
 #define HOME              "HOME"
 #define BELOW_HOME        "/.cache/scree"
+#define SEPARATORS        "/"
 #endif
 
-#define PATH_BYTES 1024
-#define MAX_BYTES  ((uint64_t)1 << 28) // a file that states a larger size is damaged
+#define FOLDER_BYTES 4000                // path of the folder; Linux takes paths of 4,095 characters
+#define PATH_BYTES   (FOLDER_BYTES + 40) // with the name of a file
+#define MAX_BYTES    ((uint64_t)1 << 28) // a file that states a larger size is damaged
 
 typedef struct // header of a file; content is the digest of the program that follows
 {
@@ -49,34 +53,37 @@ void digest_add(Digest* digest, const void* bytes, size_t count)
 }
 
 // Writes the path of the cache's folder. Returns false if no folder is set, or if the path is too long.
-static bool cache_folder(char* path)
+static bool cache_folder(char path[FOLDER_BYTES])
 {
 	const char* own = getenv("SCREE_CACHE");
 	const char* shared = getenv("XDG_CACHE_HOME");
 	const char* home = getenv(HOME);
 	int length = 0;
 	if (own)
-		length = snprintf(path, PATH_BYTES, "%s", own);
+		length = snprintf(path, FOLDER_BYTES, "%s", own);
 	else if (shared && *shared)
-		length = snprintf(path, PATH_BYTES, "%s/scree", shared);
+		length = snprintf(path, FOLDER_BYTES, "%s/scree", shared);
 	else if (home && *home)
-		length = snprintf(path, PATH_BYTES, "%s" BELOW_HOME, home);
-	return length > 0 && length < PATH_BYTES - 80; // leaves space for the file name
+		length = snprintf(path, FOLDER_BYTES, "%s" BELOW_HOME, home);
+	if (length >= FOLDER_BYTES)
+		log_sentence(SCREE_LOG_INFO, "The path of the cache has %d characters, more than %d; it is not used.", length,
+		             FOLDER_BYTES - 1);
+	return length > 0 && length < FOLDER_BYTES;
 }
 
 static void file_path(char* path, const char* folder, Digest key)
 {
-	snprintf(path, PATH_BYTES, "%.900s/%016llx%016llx.bin", folder, (unsigned long long)key.a,
-	         (unsigned long long)key.b);
+	snprintf(path, PATH_BYTES, "%s/%016llx%016llx.bin", folder, (unsigned long long)key.a, (unsigned long long)key.b);
 }
 
 static void make_folders(char* path)
 {
-	for (char* slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/'))
+	for (char* slash = strpbrk(path + 1, SEPARATORS); slash; slash = strpbrk(slash + 1, SEPARATORS))
 	{
+		char separator = *slash;
 		*slash = '\0';
 		make_folder(path);
-		*slash = '/';
+		*slash = separator;
 	}
 	make_folder(path);
 }
@@ -92,7 +99,7 @@ static Digest digest_of(const unsigned char* bytes, size_t count)
 
 unsigned char* cache_read(Digest key, size_t* count)
 {
-	char folder[PATH_BYTES], path[PATH_BYTES];
+	char folder[FOLDER_BYTES], path[PATH_BYTES];
 	if (!cache_folder(folder))
 		return NULL;
 	file_path(path, folder, key);
@@ -122,7 +129,7 @@ unsigned char* cache_read(Digest key, size_t* count)
 void cache_write(Digest key, const unsigned char* bytes, size_t count)
 {
 	static atomic_int writers; // number of writes so far; it makes the names of temporary files unique
-	char folder[PATH_BYTES], path[PATH_BYTES], temporary[PATH_BYTES + 32];
+	char folder[FOLDER_BYTES], path[PATH_BYTES], temporary[PATH_BYTES + 32];
 	if (!cache_folder(folder))
 		return;
 	make_folders(folder);
@@ -136,12 +143,13 @@ void cache_write(Digest key, const unsigned char* bytes, size_t count)
 	if (file)
 		good = fclose(file) == 0 && good;
 #ifdef _WIN32
-	remove(path); // on Windows rename does not replace an existing file
+	if (good)
+		remove(path); // on Windows rename does not replace an existing file
 #endif
 	good = good && rename(temporary, path) == 0;
 	if (!good)
 	{
-		log_sentence(SCREE_LOG_INFO, "The compiled program could not be cached in %s: %s.", folder, strerror(errno));
+		log_sentence(SCREE_LOG_INFO, "The cache could not be written (%s): %s", strerror(errno), path);
 		remove(temporary);
 	}
 }

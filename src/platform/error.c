@@ -2,6 +2,7 @@
 // error.c -- implements the last error message, the log, memory and assertions, through the hooks of the process.
 #define _GNU_SOURCE // declares madvise; ignored on other systems
 #include "platform/error.h"
+#include "platform/processor.h"
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdint.h>
@@ -120,6 +121,7 @@ scree_status fail(scree_status status, const char* format, ...)
 
 void log_sentence(scree_log_level level, const char* format, ...)
 {
+	FLOAT_MODE_HERE; // a hook may change the mode
 	char text[SENTENCE_BYTES];
 	va_list arguments;
 	va_start(arguments, format);
@@ -157,6 +159,7 @@ _Static_assert(sizeof(Header) == ALIGNMENT, "what follows the header is aligned 
 
 void* scree_allocate(size_t bytes)
 {
+	FLOAT_MODE_HERE;
 	if (bytes > SIZE_MAX - 2 * ALIGNMENT)
 		return NULL;
 	size_t all = (sizeof(Header) + bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
@@ -187,6 +190,7 @@ void scree_release(void* memory)
 {
 	if (!memory)
 		return;
+	FLOAT_MODE_HERE;
 	Header* header = (Header*)memory - 1;
 	atomic_fetch_sub(&memory_in_use, header->bytes);
 	header->release(header, header->context);

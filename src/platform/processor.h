@@ -17,8 +17,8 @@ int processor_widest_lanes(void);
 const char* processor_instructions(int lanes); // name of the instruction set for a number of lanes, such as "AVX2"
 
 // The floating-point mode that equal bits require: rounding to nearest, denormals, no traps. Other libraries may set
-// another mode, and a thread inherits the mode of its creator. So each public function with a status enters this mode,
-// and restores the old mode at its end; threads of threads.h enter it once.
+// another mode, and a thread inherits the mode of its creator. So each public function that has a status or calls a
+// driver enters this mode, and restores the old mode at its end; threads of threads.h enter it once.
 typedef uint64_t FloatMode;
 FloatMode float_mode_enter(void);
 void float_mode_leave(FloatMode found);

@@ -101,16 +101,20 @@ double arc_tangent(double y, double x)
 	return y < 0.0 ? -angle : angle;
 }
 
+// The results of these two functions are volatile, so that they are rounded before the mode of the caller returns: a
+// compiler may move a conversion behind the call that sets the mode.
 scree_rot scree_rot_make(float radians)
 {
 	FLOAT_MODE_HERE;
 	double s, c;
 	sine_cosine(radians, &s, &c);
-	return (scree_rot){(float)c, (float)s};
+	volatile float cosine = (float)c, sine = (float)s;
+	return (scree_rot){cosine, sine};
 }
 
 float scree_rot_get_angle(scree_rot rotation)
 {
 	FLOAT_MODE_HERE;
-	return (float)arc_tangent(rotation.s, rotation.c);
+	volatile float angle = (float)arc_tangent(rotation.s, rotation.c);
+	return angle;
 }

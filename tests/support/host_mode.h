@@ -3,6 +3,7 @@
 #ifndef HOST_MODE_H
 #define HOST_MODE_H
 #include <fenv.h>
+#include <stdbool.h>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
@@ -37,6 +38,29 @@ static inline void host_mode_leave(void)
 	unsigned mode;
 	__asm__ volatile("vmrs %0, fpscr" : "=r"(mode));
 	__asm__ volatile("vmsr fpscr, %0" : : "r"(mode & ~(1u << 24)));
+#endif
+}
+
+// Unmasks all traps except for inexact results, if the processor has them. Returns false if not.
+static inline bool host_traps_enter(void)
+{
+#if defined(__SSE2__)
+	_mm_setcsr((_mm_getcsr() & ~0x0fbfu)); // masks and flags of invalid, denormal, zero divide, overflow, underflow
+	return true;
+#else
+	return false;
+#endif
+}
+
+// Masks the traps again. Returns whether they were unmasked.
+static inline bool host_traps_leave(void)
+{
+#if defined(__SSE2__)
+	bool unmasked = (_mm_getcsr() & 0x0f80u) == 0;
+	_mm_setcsr(_mm_getcsr() | 0x0f80u);
+	return unmasked;
+#else
+	return false;
 #endif
 }
 

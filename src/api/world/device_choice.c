@@ -31,7 +31,12 @@ scree_status scree_devices_get_sized(scree_device* devices, size_t size, int cap
 	return SCREE_OK;
 }
 
-const char* scree_opencl_hint(void) { return opencl_devices(NULL, 0) > 0 ? "" : opencl_hint(); }
+// Drivers start threads at the first call, which keep the mode of the caller.
+const char* scree_opencl_hint(void)
+{
+	FLOAT_MODE_HERE;
+	return opencl_devices(NULL, 0) > 0 ? "" : opencl_hint();
+}
 
 scree_status scree_device_test(const char* device)
 {

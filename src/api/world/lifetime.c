@@ -159,6 +159,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 
 void scree_world_destroy(scree_world* world)
 {
+	FLOAT_MODE_HERE;
 	if (world)
 		world_destroy(world);
 }

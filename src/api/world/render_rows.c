@@ -69,6 +69,7 @@ scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_
 
 void scree_world_unshare(scree_world* world)
 {
+	FLOAT_MODE_HERE;
 	if (world)
 		world_unshare(world);
 }
