@@ -185,7 +185,7 @@ MODE_CALL FloatMode float_mode_enter(void)
 
 MODE_CALL void float_mode_leave(FloatMode found)
 {
-	if (found != FE_TONEAREST)
+	if ((int)found != fegetround())
 		fesetround((int)found);
 }
 
