@@ -34,9 +34,9 @@
 // product of its inverse and a lever arm is not denormal.
 #define MOST_INERTIA 1.26765060e30f // 2^100
 
-// Returns true for NaN and for numbers of at least `least` or, if negative, at most -least. Several lanes compare the bits,
-// because integers take 1 cycle and floats 4; and so does OpenCL on a CPU, because PoCL 6 aborts when it compiles some
-// kernels that compare the floats (docs/opencl.md).
+// Returns true for NaN and for numbers of at least `least` or, if negative, at most -least. Several lanes compare the
+// bits, because integers take 1 cycle and floats 4; and so does OpenCL on a CPU, because PoCL 6 aborts when it compiles
+// some kernels that compare the floats (docs/opencl.md).
 #if defined(CALLS) || LANES > 1
 INLINE Int not_below(Real x, float least) { return (real_bits(x) & 0x7fffffff) >= float_bits(least); }
 #else

@@ -132,7 +132,8 @@ MODE_CALL FloatMode float_mode_enter(void)
 	return found;
 }
 
-// Writes the register only if the mode differs: that takes longer than reading it, and every call of the library ends so.
+// Writes the register only if the mode differs, because every call of the library ends here and writing takes longer
+// than reading.
 MODE_CALL void float_mode_leave(FloatMode found)
 {
 	if ((found & ~MXCSR_RAISED) != (_mm_getcsr() & ~MXCSR_RAISED))
