@@ -87,8 +87,11 @@ build_row()
 	[ "$row" != windows ] || { options=(-DSCREE_BUILD_SHARED=ON -DSCREE_WERROR=ON) targets=(golden all); }
 	configure "$folder" -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/cross.cmake" -DSCREE_TARGET="$target" \
 		-DSCREE_EMULATOR="${emulator// /;}" -DCMAKE_C_FLAGS="$flags" "${options[@]}" &&
-		ninja -j "$(nproc)" -C "$folder" "${targets[@]}"
+		ninja -j "$(nproc)" -C "$folder" "${targets[@]}" && { [ "$row" != windows ] || prepare_wine; }
 }
+
+# Creates the configuration folder of wine. Otherwise the first program creates it, and may fail on a busy machine.
+prepare_wine() { timeout 300 wine cmd /c exit >"$build/wine.log" 2>&1 || true; }
 
 # scenes LANES: prints the number of scenes whose hashes are equal; 4 lanes have two threads
 scenes()
