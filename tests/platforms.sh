@@ -78,7 +78,8 @@ configure()
 		-DSCREE_LANES="1;${lanes// /;}" "$@"
 }
 
-# Builds what a row needs. -flto reaches the library only without the tool that makes names local (cmake/names.cmake).
+# Builds what a row needs, and prepares its emulator. -flto reaches the library only without the tool that makes names local
+# (cmake/names.cmake).
 build_row()
 {
 	local options=(-DSCREE_BUILD_SHARED=OFF) targets=(golden $units)
@@ -87,11 +88,10 @@ build_row()
 	[ "$row" != windows ] || { options=(-DSCREE_BUILD_SHARED=ON -DSCREE_WERROR=ON) targets=(golden all); }
 	configure "$folder" -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/cross.cmake" -DSCREE_TARGET="$target" \
 		-DSCREE_EMULATOR="${emulator// /;}" -DCMAKE_C_FLAGS="$flags" "${options[@]}" &&
-		ninja -j "$(nproc)" -C "$folder" "${targets[@]}" && { [ "$row" != windows ] || prepare_wine; }
+		ninja -j "$(nproc)" -C "$folder" "${targets[@]}" || return
+	# creates the configuration folder of wine; otherwise the first programs, which run at the same time, both create it
+	[ "$row" != windows ] || timeout 300 wine cmd /c exit
 }
-
-# Creates the configuration folder of wine. Otherwise the first program creates it, and may fail on a busy machine.
-prepare_wine() { timeout 300 wine cmd /c exit >"$build/wine.log" 2>&1 || true; }
 
 # scenes LANES: prints the number of scenes whose hashes are equal; 4 lanes have two threads
 scenes()
