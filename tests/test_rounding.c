@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_rounding.c -- checks own rounding: quotients and roots from results with errors of up to 3 ulp equal those of the
-// processor.
+// processor; so does the factor of nearly normalized vectors, which is computed from bits.
 //
 // make test checks 3 million random quotients and 4 million roots, make test-full a hundred times as many.
 // SCREE_ROUNDINGS is another number of quotients.
@@ -14,6 +14,7 @@ static float inexact(float x) { return bits_float(float_bits(x) + error_ulps); }
 #define inexact_root(x)        inexact(square_root(x))
 #include "dialect/own_rounding.h"
 
+#include "dialect/vec.h"
 #include "support/checks.h"
 #include "tools/common/random_numbers.h"
 #include <math.h>
@@ -110,8 +111,27 @@ static void test_roots(void** state)
 	print_message("%lld roots\n", count);
 }
 
+// Checks all squares near 1, on both sides of the bounds of the fast case, and others of every size.
+static void test_unit_factor(void** state)
+{
+	(void)state;
+	int one = float_bits(1.0f), count = 0;
+	for (int bits = 0; bits <= float_bits(INFINITY);
+	     bits += abs(bits - one) < 2 * UNIT_ULPS ? 1 : UNIT_ULPS - 1, ++count)
+	{
+		float square = bits_float(bits);
+		volatile float root = square_root(square), expected = 1.0f / root;
+		if (!same(expected, unit_factor(square)))
+			fail_msg("the factor of %a is %a, not %a", (double)square, (double)unit_factor(square), (double)expected);
+	}
+	assert_true(count > 4 * UNIT_ULPS);
+	assert_true(isnan(unit_factor(NAN)));
+	assert_true(unit_factor(INFINITY) == 0.0f);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_quotients), cmocka_unit_test(test_roots)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_quotients), cmocka_unit_test(test_roots),
+	                                   cmocka_unit_test(test_unit_factor)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -71,25 +71,20 @@ INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
 // Returns the time, in steps, at which the prediction ends: one substep after the end of the step; 1 if dt is 0.
 INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + quotient(step->h, step->dt) : 1.0f; }
 
-RARE Vec sweep_slower(const Step* step, Vec v)
-{
-	v = vec_flush_tiny(vec_limit(v, step->max_speed));
-	return vec(number_of(v.x), number_of(v.y));
-}
-
 // Returns a velocity limited to max_speed; 0 for a velocity that is not finite, because its body will be frozen.
 INLINE Vec sweep_velocity(const Step* step, Vec v)
 {
 	if (!lane_bits((vec_dot(v, v) <= splat(step->max_speed * step->max_speed)) == 0))
 		return v;
-	return sweep_slower(step, v);
+	v = vec_flush_tiny(vec_limit(v, step->max_speed));
+	return vec(number_of(v.x), number_of(v.y));
 }
 
 INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)
 {
 	Advance advance;
 	advance.path = vec_scale(splat(step->dt), sweep_velocity(step, v));
-	advance.turn = step->dt * grip_of(w, splat(step->max_spin));
+	advance.turn = step->dt * clamped(w, splat(step->max_spin));
 	return advance;
 }
 

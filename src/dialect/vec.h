@@ -29,6 +29,19 @@ INLINE Vec vec_turn(Vec q, Vec a) { return vec(q.x * a.x - q.y * a.y, q.y * a.x 
 INLINE Vec vec_turn_back(Vec q, Vec a) { return vec(q.x * a.x + q.y * a.y, q.x * a.y - q.y * a.x); }
 INLINE Vec vec_blend(Vec a, Vec b, Int c) { return vec(blend(a.x, b.x, c), blend(a.y, b.y, c)); }
 
+#define UNIT_ULPS 2048
+
+// Returns quotient(1, square_root(square)), the factor that makes the length of a vector 1. If `square` is UNIT_ULPS
+// floats from 1 or less, both roundings together are this function of its bits, which takes fewer cycles.
+INLINE float unit_factor(float square)
+{
+	int one = float_bits(1.0f), ulps = float_bits(square) - one;
+	if (ulps < -UNIT_ULPS || ulps > UNIT_ULPS)
+		return quotient(1.0f, square_root(square));
+	int above = -(ulps & ~1), below = (3 - ulps) >> 2;
+	return bits_float(one + (above < below ? above : below));
+}
+
 // Returns cosine and sine of an angle up to pi, by a Taylor series for a quarter of the angle; this quarter is then
 // doubled twice. The error is below 2e-7 up to 1 radian, which is 60 rad/s at 60 steps per second, and 2.3e-5 at pi.
 INLINE Vec vec_rotation(Real angle)

@@ -118,7 +118,7 @@ INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 	Vec v = vec(((to.x - pose.x) - low.x) * rate, ((to.y - pose.y) - low.y) * rate);
 	float turn = vec_angle(vec_turn_back(vec(pose.z, pose.w), vec(target.z, target.w)));
 	command_velocity(p, i, sweep_velocity(&p->step, v));
-	p->body[i].w = locks & 4 ? 0.0f : within(turn * rate, p->step.max_spin);
+	p->body[i].w = locks & 4 ? 0.0f : flush_tiny(within(turn * rate, p->step.max_spin));
 }
 
 // Moves a body to a pose, except along its locks, and sets its velocity to 0.

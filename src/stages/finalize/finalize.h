@@ -18,7 +18,7 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	if (da != 0.0f)
 	{
 		turn = vec_turn(vec_rotation(da), turn);
-		turn = vec_scale(quotient(1.0f, square_root(vec_dot(turn, turn))), turn);
+		turn = vec_scale(unit_factor(vec_dot(turn, turn)), turn);
 	}
 	pose_move(p, i, d, turn);
 }

@@ -22,7 +22,12 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 
 	// implicit damping, semi-implicit Euler; a lock sets the velocity to 0
 	float h = step->h;
-	Real linear = quotient(1.0f, 1.0f + h * m[4]), angular = quotient(1.0f, 1.0f + h * m[5]);
+	Real linear = splat(1.0f), angular = splat(1.0f);
+	if (lane_bits((m[4] != splat(0.0f)) | (m[5] != splat(0.0f))))
+	{
+		linear = quotient(1.0f, 1.0f + h * m[4]);
+		angular = quotient(1.0f, 1.0f + h * m[5]);
+	}
 	v.x = m[6] * finite_of(linear * v.x + h * (step->gravity_x * m[3] + b[3] * m[0]));
 	v.y = m[7] * finite_of(linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
 	w = number_of(angular * w + h * (b[7] * m[2])); // the limit below makes it finite
