@@ -262,6 +262,10 @@ typedef struct scree_world_def
 	bool contact_details;
 	float hit_speed;   // m/s, >= 0, default 1; a contact with a lower approach speed is not a scree_hit
 	float hit_impulse; // N s, >= 0, default 0; a contact with a smaller impulse is not a scree_hit
+	bool sleep;        // true: bodies at rest fall asleep (see "Sleep"); default false
+	// m/s, 1e-6 to 1e6, default 0.05. A body is at rest while none of its points moves faster, measured by its motion in
+	// each step.
+	float sleep_threshold;
 } scree_world_def;
 
 // Returns a definition with the default values.
@@ -313,6 +317,8 @@ typedef struct scree_tuning // the members of scree_world_def with the same name
 	float contact_push_speed;
 	float restitution_threshold;
 	float max_speed;
+	bool sleep;
+	float sleep_threshold;
 } scree_tuning;
 
 // Returns the parameters of the solver. Units and ranges are those of scree_world_def.
@@ -619,6 +625,10 @@ typedef struct scree_body_def
 	bool disabled;             // true: the body starts disabled (scree_body_set_enabled); default false
 	uint32_t reports;          // bits of SCREE_REPORT_* for that collidable; default 0
 	uint32_t sensor;           // bits of SCREE_SENSOR_* for that collidable; default 0: it is not a sensor
+	bool asleep;               // true: a dynamic body starts asleep, without its velocity, if scree_world_def.sleep is
+	                           // set (see "Sleep"); default false
+	bool stays_awake;          // true: the body and its island never fall asleep; default false
+	float sleep_threshold;     // m/s, 0 to 1e6: as in scree_world_def; 0 (default): that of the world
 } scree_body_def;
 
 // Returns a definition with the default values, without a collidable.
@@ -718,6 +728,7 @@ typedef struct scree_body_state
 {
 	scree_pose pose; // pose of the body's origin
 	scree_velocity velocity;
+	bool asleep;
 } scree_body_state;
 
 // Writes the states of up to capacity bodies in ascending index order, and their handles to bodies (may be null). Sets
@@ -828,6 +839,46 @@ SCREE_API bool scree_body_is_excluded(const scree_world* world, scree_body body,
 // their number.
 SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body body, scree_body* others, int capacity,
                                                int* count);
+
+// Sleep. With scree_world_def.sleep, bodies that touch or are joined form an island. An island falls asleep when all of
+// its bodies have been at rest for 0.5 s: scree_world_def.sleep_threshold has the speed. Its bodies then have velocity 0
+// and cost little. Contacts keep their impulses; queries, sensors and events find sleeping bodies as others. A static or
+// kinematic body never sleeps and connects nothing. An island does not fall asleep on a kinematic body that moves.
+//
+// An island wakes as a whole, in the step that follows a call or in the step in which something touches it:
+// - a call changes one of its bodies: a force, impulse or velocity other than 0, a pose, mass, type, damping, gravity
+//   scale, lock, collidable, attribute, filter, exclusion or joint, or the body is enabled or disabled;
+// - a body that is awake, or a kinematic body that moves, begins to touch it;
+// - a body that it touches, or to which it is joined, is moved by the user, begins to move, or is destroyed;
+// - gravity, a parameter of the solver or a pair of materials changes: this wakes the whole world.
+// Reading, queries and moves to another device wake nothing.
+
+// Wakes bodies with their islands (true), or puts their islands to sleep in the next step with dt > 0 (false), even if
+// they move. An island stays awake if a call has moved or woken any of its bodies since the last step, if it began to
+// touch something in the step, or if it contains a body with scree_body_def.stays_awake. Does nothing for static,
+// kinematic and disabled bodies, nor in a world that does not sleep.
+SCREE_API scree_status scree_bodies_set_awake(scree_world* world, const scree_body* bodies, const bool* awake, int count);
+// Wakes one body, or puts it to sleep, as above.
+SCREE_API scree_status scree_body_set_awake(scree_world* world, scree_body body, bool awake);
+// The same for all bodies with a collidable that overlaps a box, which is at least 2 mm wide and high.
+SCREE_API scree_status scree_world_set_box_awake(scree_world* world, scree_box box, bool awake);
+// The same for all bodies of a world.
+SCREE_API scree_status scree_world_set_awake(scree_world* world, bool awake);
+
+// Returns whether bodies are awake. A body whose island wakes in the next step counts as awake. Static, kinematic and
+// disabled bodies are always awake.
+SCREE_API scree_status scree_bodies_get_awake(scree_world* world, const scree_body* bodies, bool* awake, int count);
+// Returns whether one body is awake, as above.
+SCREE_API scree_status scree_body_get_awake(scree_world* world, scree_body body, bool* awake);
+
+// Sets scree_body_def.sleep_threshold, m/s, 0 to 1e6. Wakes nothing.
+SCREE_API scree_status scree_body_set_sleep_threshold(scree_world* world, scree_body body, float threshold);
+// Returns scree_body_def.sleep_threshold, m/s.
+SCREE_API scree_status scree_body_get_sleep_threshold(const scree_world* world, scree_body body, float* threshold);
+// Sets scree_body_def.stays_awake; true wakes the body.
+SCREE_API scree_status scree_body_set_stays_awake(scree_world* world, scree_body body, bool stays_awake);
+// Returns scree_body_def.stays_awake.
+SCREE_API scree_status scree_body_get_stays_awake(const scree_world* world, scree_body body, bool* stays_awake);
 
 typedef struct scree_mass
 {

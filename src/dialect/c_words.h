@@ -74,13 +74,15 @@ INLINE void atomic_max_int(int* place, int x)
 	{
 	}
 }
-INLINE void atomic_min_int(int* place, int x)
+INLINE int atomic_min_int(int* place, int x) // returns the old value
 {
 	int old = read_shared(place);
 	while (old > x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
 	{
 	}
+	return old;
 }
+INLINE void atomic_or_int(int* place, int x) { __atomic_fetch_or(place, x, __ATOMIC_RELAXED); }
 INLINE void atomic_max_word(Word* place, Word x)
 {
 	Word old = read_shared_word(place);

@@ -50,6 +50,7 @@ INLINE float worse(float x) { return as_float(as_uint(x) + (as_uint(x) * 2654435
 #define atomic_add_int(place, x)  atomic_add(place, x)
 #define atomic_max_int(place, x)  atomic_max(place, x)
 #define atomic_min_int(place, x)  atomic_min(place, x)
+#define atomic_or_int(place, x)   atomic_or(place, x)
 #define atomic_max_word(place, x) atomic_max(place, x)
 #define atomic_and_word64(place, x)                                 \
 	((void)atomic_and((volatile __global uint*)(place), (uint)(x)), \

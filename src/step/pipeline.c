@@ -143,6 +143,7 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 	{
 		list_broad_phase(pipeline, step, bodies);
 		list_narrow_phase(pipeline, step, bodies);
+		list_sleep(pipeline, step, request);
 		list_color(pipeline, bodies, 0, rounds);
 		TRY(solve_or_read_back(pipeline, step, request, early, &solved));
 		if (!c->stalled)
@@ -204,6 +205,8 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	}
 	pipeline->started = false;
 	TRY(count_trees(pipeline));
+	pipeline->sleeps = request->sleep;
+	pipeline->settles = pipeline->settles && request->dt == 0.0f;
 	pipeline->jumps = false;
 	pipeline->reverted = false;
 	pipeline_trim(pipeline);

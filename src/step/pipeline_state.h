@@ -46,6 +46,8 @@ typedef struct // the request of a step
 	float hit_speed, hit_impulse; // as Step.hit_speed, Step.hit_impulse
 	int fields;                   // number of active fields
 	bool field_shapes;            // some fields act on shapes
+	bool sleep;                   // bodies may sleep
+	float sleep_threshold;        // as Step.sleep_threshold
 	bool request_again;           // as Step.request_again
 	const Word64* allowed;        // pairs of collidables that the user approved, sorted
 	int allowed_count;
@@ -66,6 +68,8 @@ typedef struct
 	int idle;              // number of steps since unused capacity was last checked
 	int sparse;            // number of consecutive steps in which most contact slots were unused
 	bool jumps;            // the user placed or created something since the last step, so boxes may jump
+	bool sleeps;           // some body may sleep, because bodies were allowed to sleep in the last step
+	bool settles;          // the user puts bodies to sleep, or created sleeping ones, since the last step with dt above 0
 	bool surfaces_changed; // some collidable changed its attribute or its reported events since the last step
 	bool reports;          // some collidable has ever reported touches or hits
 	bool rules;            // some attribute is a one-way platform, or a pair of materials or an exclusion was set

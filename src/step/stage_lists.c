@@ -137,6 +137,35 @@ void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		list_approvals(list, step, bodies, pipeline->platforms);
 }
 
+void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request)
+{
+	RunList* list = &pipeline->list;
+	int contacts = step->contact_capacity, joints = pipeline->counters.joints, bodies = request->bodies;
+	bool due = pipeline->steps % SLEEP_STEPS == 0;
+	int search = pipeline->settles ? SEARCH_NOW : due ? SEARCH_DROWSY : SEARCH_NEVER;
+	search = request->sleep && step->dt > 0.0f ? search : SEARCH_NEVER;
+	if (!step->sleep)
+		return;
+	runs_add(list, KERNEL_contact_wake, 0, contacts, COUNT(shifted), 0);
+	if (joints > 0)
+		runs_add(list, KERNEL_joint_wake, 0, joints, COUNT(woken), 0);
+	runs_add(list, KERNEL_sleep_begin, 0, 1, NO_COUNT, search);
+	if (search != SEARCH_NEVER)
+	{
+		runs_add(list, KERNEL_island_begin, 0, bodies, COUNT(searching), 0);
+		runs_add(list, KERNEL_contact_link, 0, contacts, COUNT(searching), 0);
+		if (joints > 0)
+			runs_add(list, KERNEL_joint_link, 0, joints, COUNT(searching), 0);
+		runs_add(list, KERNEL_island_gather, 0, bodies, COUNT(searching), 0);
+		runs_add(list, KERNEL_island_end, 0, bodies, COUNT(searching), 0);
+	}
+	runs_add(list, KERNEL_body_wake, 0, bodies, COUNT(waking), 0);
+	runs_add(list, KERNEL_contact_sleep, 0, contacts, COUNT(settling), 0);
+	if (joints > 0)
+		runs_add(list, KERNEL_joint_sleep, 0, joints, COUNT(settling), 0);
+	runs_add(list, KERNEL_sleep_end, 0, bodies, COUNT(marked), 0);
+}
+
 static void list_joint_constraints(RunList* list, int joints)
 {
 	runs_add(list, KERNEL_joint_update, 0, joints, COUNT(joints_dirty), 0);

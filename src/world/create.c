@@ -53,7 +53,7 @@ void world_destroy(scree_world* world)
 	sensors_close(world);
 	scree_release(world->moved);
 	close_queries(&world->queries);
-	close_queries(&world->blast_queries);
+	close_queries(&world->own_queries);
 	scree_release(world->attributes);
 	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);

@@ -240,7 +240,7 @@ struct scree_world
 	int target_count, target_capacity;
 	Edits edits;
 	Reports reports;
-	Queries queries, blast_queries; // queries of the user; queries of blasts, which leave the user's list unchanged
+	Queries queries, own_queries; // queries of the user; queries that the library makes (own_queries.h)
 	Sensors sensors;
 	Materials materials;
 	Fields fields;

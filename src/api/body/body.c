@@ -13,6 +13,7 @@
 #include "world/objects/joints.h"
 #include "world/objects/kinematics.h"
 #include "world/objects/mass.h"
+#include "world/objects/sleep.h"
 #include "world/objects/targets.h"
 #include "world/world.h"
 
@@ -48,6 +49,7 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	TRY(check_locks(at, ".locks", def->locks));
 	TRY(check_reports(at, ".reports", def->reports));
 	TRY(check_sensor(at, ".sensor", def->sensor));
+	TRY(check_real(at, ".sleep_threshold", def->sleep_threshold, 0.0f, 1e6f));
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
@@ -80,6 +82,8 @@ static void fetch_collidable(const scree_world* world, int collidable)
 static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
+	bool asleep = def->asleep && moves && !def->disabled && !def->stays_awake && world->def.sleep;
+	world->pipeline.settles |= asleep;
 	world->dynamic_bodies += moves;
 	world->disabled_bodies += def->disabled;
 	HostBody* host = world->host_bodies + index;
@@ -118,6 +122,8 @@ static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def,
 	                            .inv_inertia = mass_inverse_inertia(host),
 	                            .values = moves ? host->values : (BodyValues){0},
 	                            .locks = def->locks,
+	                            .sleep_threshold = body_sleep_threshold(host),
+	                            .asleep = asleep,
 	                            .disabled = def->disabled});
 }
 

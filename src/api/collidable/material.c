@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // material.c -- sets and reads surface values of pairs of materials, which replace values mixed from two attributes.
 #include "platform/processor.h"
+#include "world/upload/whole_sleep.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/materials.h"
@@ -55,6 +56,7 @@ scree_status scree_world_set_material_pair(scree_world* world, int material_a, i
 		row.restitution = row.sets & MATERIAL_RESTITUTION ? def->restitution + 0.0f : 0.0f;
 		row.tangent_speed = row.sets & MATERIAL_SPEED ? 0.0f - def->tangent_speed : 0.0f;
 	}
+	TRY(world_set_awake(world, true));
 	return material_set(world, function, material_a, material_b, row);
 }
 

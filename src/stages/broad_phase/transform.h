@@ -18,6 +18,7 @@ KERNEL(step_begin)
 	c->order[0] = 0;
 	c->order[1] = 0;
 	c->changed = 0;
+	c->shifted = 0;
 	c->kept = 0x7fffffff;
 	c->sort_pairs = 0;
 	c->search = 0;
@@ -130,6 +131,17 @@ INLINE int transform_grains(float thickness, float reach)
 	return transform_bits(thickness, COLLIDABLE_GRAIN) | transform_bits(REACH_SHARE * reach, COLLIDABLE_REACH);
 }
 
+// Returns COLLIDABLE_SHIFTED if static or kinematic collidable i moves, or the user moved or changed it since the last
+// step. A new collidable, whose box was empty, was not moved. box: box before this step; now: current pose.
+INLINE int transform_shifts(const Pools* p, int i, Float4 box, WorldShape now)
+{
+	WorldShape then = p->world_shape[i];
+	BodyState body = p->body[now.body];
+	int moves = body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
+	int moved = now.x != then.x || now.y != then.y || now.c != then.c || now.s != then.s;
+	return moves || (moved && box.x <= box.z) ? COLLIDABLE_SHIFTED : 0;
+}
+
 // Updates world poses and boxes. Lists the collidables that left their enlarged boxes; new ones had an empty box.
 LIST_KERNEL(transform, updated_list, updated_boxes)
 {
@@ -147,6 +159,10 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	WorldShape world_shape = collidable_place(p, i);
 	int moves = world_shape.body >= 0;
 	world_shape.body = moves ? world_shape.body : 0;
+	int shifts = p->step.sleep && p->collidable_kind[i] != KIND_DYNAMIC ? transform_shifts(p, i, box, world_shape) : 0;
+	shifts |= moved & COLLIDABLE_CHANGED && p->step.sleep ? COLLIDABLE_SHIFTED : 0;
+	if (shifts && (moved & (COLLIDABLE_SHIFTED | COLLIDABLE_CHANGED)) != COLLIDABLE_SHIFTED)
+		raise_int(&p->counters->shifted, 0x7fffffff);
 	p->world_shape[i] = world_shape;
 	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
 
@@ -156,6 +172,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	int how = p->step.small && p->collidable_kind[i] == KIND_DYNAMIC
 	              ? transform_grains(p->thickness[world_shape.attribute], attribute->reach)
 	              : 0;
+	how |= shifts;
 	if (moves)
 	{
 		Sweep sweep = sweep_of(p, world_shape, attribute);
@@ -196,10 +213,13 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 // Restores the old boxes after a step that stopped before it found all contacts, so that the next step finds them.
 KERNEL(transform_undo)
 {
-	if (!(p->collidable_flags[i] & COLLIDABLE_NEW_BOX) || p->collidable_kind[i] == KIND_DEAD)
+	int flags = p->collidable_flags[i];
+	if (flags & COLLIDABLE_SHIFTED)
+		p->collidable_flags[i] = (flags & ~COLLIDABLE_SHIFTED) | COLLIDABLE_CHANGED;
+	if (!(flags & COLLIDABLE_NEW_BOX) || p->collidable_kind[i] == KIND_DEAD)
 		return;
 	p->box[i] = p->old_box[i];
-	p->collidable_flags[i] = 0;
+	p->collidable_flags[i] = flags & COLLIDABLE_SHIFTED ? COLLIDABLE_CHANGED : 0;
 }
 
 // Writes the current pose of a collidable to its render row. The pool world_shape has older poses: those at which the

@@ -34,6 +34,30 @@ INLINE void joint_seek(const Pools* p, int slot)
 	path_count_store(p, slot, p->joint_place[slot], &count);
 }
 
+// Wakes a body of a joint that the user made, changed or destroyed, unless the body cannot move or is created asleep.
+INLINE void joint_wake_end(const Pools* p, int body)
+{
+	if (p->body[body].inv_mass > 0.0f && p->still[body] != STILL_MADE)
+		island_wake(p, body, WAKE_WORLD);
+}
+
+INLINE void joint_wake_ends(const Pools* p, const GLOBAL JointData* data)
+{
+	joint_wake_end(p, data->body_a);
+	joint_wake_end(p, data->body_b);
+}
+
+// Returns whether an edit changes a joint, and not only its spot among the joints of chains.
+INLINE int joint_differs(const Pools* p, int slot, int edit)
+{
+	const GLOBAL Word *then = (const GLOBAL Word*)(p->joint_data + slot), *now = (const GLOBAL Word*)&p->joint_edit[edit].data;
+	int differs = (p->joint_flags[slot] ^ p->joint_edit[edit].flags) &
+	              (JOINT_THERE | JOINT_ACTIVE | JOINT_COLLIDES | JOINT_CAN_BREAK | JOINT_ACTS);
+	for (int k = 0; k < (int)(sizeof(JointData) / sizeof(Word)) && !differs; ++k)
+		differs = then[k] != now[k];
+	return differs;
+}
+
 // Item: a joint that the user created or changed. argument: number of joint slots in use before these edits. A joint
 // that broke stays broken, unless it was replaced by a new one.
 KERNEL(joint_apply)
@@ -46,14 +70,22 @@ KERNEL(joint_apply)
 		p->joint_place[slot] = -1;
 	}
 	else if (!(edit.flags & JOINT_NEW))
-		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW);
+		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW | JOINT_ASLEEP);
 	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
 	{
 		joint_count_turns(p, slot, &edit.data);
 		if (edit.flags & JOINT_SEEKS)
 			joint_seek(p, slot);
 	}
+	int was_seeking = edit.flags & JOINT_SEEKS;
 	edit.flags &= ~JOINT_SEEKS;
+	int there = slot < p->argument && p->joint_flags[slot] & JOINT_THERE;
+	if (!there || joint_differs(p, slot, i) || edit.flags & (JOINT_NEW | JOINT_RESTARTS) || was_seeking)
+	{
+		if (there)
+			joint_wake_ends(p, p->joint_data + slot);
+		joint_wake_ends(p, &p->joint_edit[i].data);
+	}
 	if (slot >= p->argument || p->joint_spot[slot] != edit.spot)
 		raise_int(&p->counters->joint_moved, 1);
 	p->joint_spot[slot] = edit.spot;
@@ -77,13 +109,26 @@ INLINE void joint_rest(const Pools* p, int i)
 	path_count_store(p, i, -1, &path);
 }
 
+// Returns whether a joint acts, unless its bodies sleep.
+INLINE int joint_wanted(int flags)
+{
+	int wanted = JOINT_THERE | JOINT_ACTIVE | JOINT_ACTS;
+	return (flags & (wanted | JOINT_BROKEN)) == wanted;
+}
+
+// Begins the constraint of joint i.
+INLINE void joint_begin(const Pools* p, int i)
+{
+	p->joint_bodies[i] = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
+}
+
 // Begins or ends the constraint of joint i, or both if the joint must begin again.
 KERNEL(joint_update)
 {
-	int flags = p->joint_flags[i], wanted = JOINT_THERE | JOINT_ACTIVE | JOINT_ACTS;
+	int flags = p->joint_flags[i], wanted = joint_wanted(flags);
 	if (p->counters->stalled)
 		return;
-	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
 	if (!wanted || flags & JOINT_RESTARTS)
 		joint_rest(p, i);
 	if (p->counters->joint_moved || flags & JOINT_RESTARTS)
@@ -91,8 +136,10 @@ KERNEL(joint_update)
 	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_NEW);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return;
-	p->joint_bodies[i] = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
-	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
+	if (p->sleep[p->joint_data[i].body_a] | p->sleep[p->joint_data[i].body_b])
+		p->joint_flags[i] |= JOINT_ASLEEP;
+	else
+		joint_begin(p, i);
 }
 
 // Item: a joint. For a joint on a path, finds the point of the path that is nearest to anchor b. For a coupling,

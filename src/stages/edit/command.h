@@ -4,6 +4,7 @@
 #define COMMAND_H
 #include "constraints/angle.h"
 #include "constraints/sweep_closing.h"
+#include "stages/edit/asleep.h"
 #include "stages/edit/pool_item.h"
 #include "stages/geometry/pose.h"
 
@@ -197,6 +198,20 @@ INLINE void command_body_change(const Pools* p, Command c)
 	case COMMAND_BODY:
 		command_body(p, i, value, make_float2(bits_float(c.whole[0]), bits_float(c.whole[1])));
 		break;
+	case COMMAND_AWAKE:
+		if (c.whole[0] == 0 && p->sleep_threshold[i] >= 0.0f)
+			p->still[i] = STILL_FORCED;
+		break;
+	case COMMAND_SLEEP:
+		p->sleep_threshold[i] = value.x;
+		if (c.whole[0] != SLEEP_AS_BEFORE)
+			p->still[i] = 0.0f;
+		if (c.whole[0] == SLEEP_FROM_START)
+		{
+			body_sleep(p, i, i);
+			p->still[i] = STILL_MADE;
+		}
+		break;
 	case COMMAND_CONTINUOUS:
 		p->continuous_body[i].first = c.whole[0];
 		p->continuous_body[i].parts = c.whole[1];
@@ -220,6 +235,7 @@ INLINE void command_collidable_change(const Pools* p, Command c)
 		break;
 	case COMMAND_ATTRIBUTE:
 		p->collidable_attribute[i] = c.whole[0];
+		p->collidable_flags[i] |= COLLIDABLE_CHANGED;
 		break;
 	case COMMAND_FILTER:
 		p->filter[i].category = command_word64(value.x, value.y);
@@ -282,9 +298,58 @@ INLINE void command_change(const Pools* p, Command c)
 	}
 }
 
+// Returns whether a command changes the motion of a body. Forces, impulses and velocities of 0 do not.
+INLINE int command_stirs(const Pools* p, Command c)
+{
+	int xy = c.value.x != 0.0f || c.value.y != 0.0f;
+	switch (c.kind)
+	{
+	case COMMAND_FORCE:
+	case COMMAND_FORCE_AT:
+	case COMMAND_TORQUE:
+	case COMMAND_IMPULSE:
+	case COMMAND_IMPULSE_AT:
+	case COMMAND_ANGULAR_IMPULSE:
+	case COMMAND_LINEAR_VELOCITY:
+	case COMMAND_SPIN:
+		return xy;
+	case COMMAND_VELOCITY:
+		return xy || c.value.z != 0.0f;
+	case COMMAND_MASS:
+		return p->still[c.index] != STILL_MADE;
+	case COMMAND_POSE:
+	case COMMAND_MOTION:
+	case COMMAND_ENABLED:
+	case COMMAND_TARGET:
+		return 1;
+	case COMMAND_AWAKE:
+		return c.whole[0];
+	case COMMAND_SLEEP:
+		return c.value.x < 0.0f;
+	default:
+		return 0;
+	}
+}
+
+// Wakes the island of a body that the user changes, and the body itself at once. joined: not 0 for a body that cannot
+// move, but has joints.
+INLINE void command_stir(const Pools* p, int i, int joined)
+{
+	if (p->sleep[i])
+	{
+		island_wake(p, i, WAKE_USER);
+		body_rise(p, i);
+	}
+	else if (joined)
+		island_wake(p, i, WAKE_WORLD);
+	p->still[i] = STILL_STIRRED;
+}
+
 INLINE void command_apply(const Pools* p, Command c)
 {
-	int disabled = c.kind < COMMAND_BODY && c.whole[1];
+	int disabled = c.kind < COMMAND_BODY && c.whole[1] & COMMAND_DISABLED;
+	if (command_stirs(p, c))
+		command_stir(p, c.index, c.whole[1] & COMMAND_JOINED);
 	if (disabled)
 		command_wake(p, c.index);
 	command_change(p, c);

@@ -105,7 +105,7 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 // Adds the forces of fields on body i to the user's forces. argument: 1 if fields act on shapes, and number of fields.
 KERNEL(field_body)
 {
-	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)
+	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f || p->sleep[i])
 		return;
 	FieldForce sum = field_nothing();
 	for (int k = RUN_LOW(p->argument) ? p->continuous_body[i].first : 0; k > 0; k = p->next_collidable[k - 1])

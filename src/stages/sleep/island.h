@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// island.h -- finds the islands of bodies that touch or are joined, and puts islands at rest to sleep.
+//
+// Islands exist only while they sleep. In every SLEEP_STEPS-th step, if some body is at rest, a union-find labels the
+// bodies that touching contacts and acting joints connect. The label is the lowest index of a body, so it does not depend
+// on the order of the unions. Bodies that cannot move connect nothing.
+//
+// This work is based on:
+// Jayadharini Jaiganesh and Martin Burtscher, A High-Performance Connected Components Implementation for GPUs, 2018:
+// the larger root is hooked under the smaller one by an atomic operation, and paths are halved.
+#ifndef ISLAND_H
+#define ISLAND_H
+#include "stages/color/edge.h"
+#include "stages/edit/asleep.h"
+
+INLINE int body_can_move(const Pools* p, int i) { return p->body[i].inv_mass > 0.0f; }
+
+INLINE int body_is_moving(const Pools* p, int i)
+{
+	BodyState body = p->body[i];
+	return body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
+}
+
+// Returns the root of a body, and halves the path to it. Other work-items may link roots at the same time: a path only
+// ever leads to lower indices of the same island, so an old value is also correct.
+INLINE int island_root(const Pools* p, int i)
+{
+	int above = read_shared(p->island + i);
+	while (above != i)
+	{
+		int next = read_shared(p->island + above);
+		if (next != above)
+			write_shared_word((GLOBAL Word*)p->island + i, (Word)next);
+		i = above;
+		above = next;
+	}
+	return i;
+}
+
+INLINE void island_unite(const Pools* p, int a, int b)
+{
+	a = island_root(p, a);
+	b = island_root(p, b);
+	while (a != b)
+	{
+		int high = a > b ? a : b, low = a > b ? b : a;
+		int before = atomic_min_int(p->island + high, low);
+		if (before == high)
+			return;
+		// another work-item has linked this root meanwhile, so both of its new neighbors are united
+		a = before;
+		b = low;
+	}
+}
+
+INLINE void island_note(const Pools* p, int i, int bits)
+{
+	if ((read_shared(p->island_state + i) & bits) != bits)
+		atomic_or_int(p->island_state + i, bits);
+}
+
+// Unites two bodies of a constraint. moves: not 0 if one of them cannot move, but does. anew: not 0 if the constraint
+// began in this step.
+INLINE void island_link(const Pools* p, Int2 bodies, int moves, int anew)
+{
+	int bits = (moves ? ISLAND_RESTLESS | ISLAND_STIRRED : 0) | (anew ? ISLAND_STIRRED : 0);
+	int a = body_can_move(p, bodies.x), b = body_can_move(p, bodies.y);
+	if (bits != 0 && a)
+		island_note(p, bodies.x, bits);
+	if (bits != 0 && b)
+		island_note(p, bodies.y, bits);
+	if (a && b)
+		island_unite(p, bodies.x, bodies.y);
+}
+
+KERNEL(island_begin)
+{
+	int island = body_island(p, i);
+	p->island[i] = island < 0 ? i : island;
+	p->island_state[i] = 0;
+}
+
+KERNEL(contact_link)
+{
+	Word flags = p->contact_flags[i];
+	if (i >= p->counters->live || (flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
+		return;
+	Int2 pair = p->pair[i];
+	int shifted = (p->collidable_flags[pair.x] | p->collidable_flags[pair.y]) & COLLIDABLE_SHIFTED;
+	island_link(p, p->contact_bodies[i], shifted, p->contact_color[i] == COLOR_NONE && !(flags & CONTACT_ASLEEP));
+}
+
+KERNEL(joint_link)
+{
+	if (!joint_wanted(p->joint_flags[i]))
+		return;
+	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	int moves = (!body_can_move(p, bodies.x) && body_is_moving(p, bodies.x)) ||
+	            (!body_can_move(p, bodies.y) && body_is_moving(p, bodies.y));
+	island_link(p, bodies, moves, 0);
+}
+
+// Returns the ISLAND_* bits that body i adds to its island.
+INLINE int island_bits(const Pools* p, int i)
+{
+	int island = body_island(p, i), bits = p->island_state[i];
+	float still = p->still[i];
+	int woken = island_is_woken(p, island < 0 ? i : island);
+	bits |= woken == WAKE_WORLD ? ISLAND_STIRRED : 0;
+	if (island >= 0)
+		return bits | (woken ? ISLAND_WOKEN : 0) | (still == STILL_FORCED ? ISLAND_FORCED : 0);
+	if (!(still >= SLEEP_TIME))
+		bits |= ISLAND_RESTLESS;
+	if (still == STILL_FORCED)
+		bits |= ISLAND_FORCED;
+	if (still == STILL_STIRRED)
+		bits |= ISLAND_STIRRED;
+	return p->sleep_threshold[i] < 0.0f ? bits | ISLAND_RESTLESS | ISLAND_STIRRED : bits;
+}
+
+INLINE int body_takes_part(const Pools* p, int i) { return body_can_move(p, i) && p->stored_velocity[i].stored == 0.0f; }
+
+KERNEL(island_gather)
+{
+	if (!body_takes_part(p, i))
+		return;
+	island_note(p, island_root(p, i), island_bits(p, i));
+}
+
+// Returns whether all bodies of an island sleep from now on.
+INLINE int island_rests(int bits)
+{
+	if (bits & ISLAND_FORCED && !(bits & ISLAND_STIRRED))
+		return 1;
+	return !(bits & (ISLAND_RESTLESS | ISLAND_WOKEN | ISLAND_STIRRED));
+}
+
+KERNEL(island_end)
+{
+	if (!body_takes_part(p, i))
+		return;
+	int root = island_root(p, i), rests = island_rests(p->island_state[root]);
+	if (!rests && p->sleep[i] == 0)
+		return;
+	if (rests && body_island(p, i) == root)
+	{
+		p->still[i] = 0.0f;
+		return;
+	}
+	if (rests)
+		body_sleep(p, i, root);
+	else
+		body_rise(p, i);
+	raise_int(&p->counters->settling, 0x7fffffff);
+}
+
+#endif

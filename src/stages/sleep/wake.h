@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// wake.h -- wakes islands that are marked, ends the constraints of sleeping bodies and begins those of woken ones.
+//
+// Commands, the narrow phase and the kernels below mark islands. All bodies of a marked island wake in the same step,
+// before the coloring, so that their constraints are solved in that step.
+#ifndef WAKE_H
+#define WAKE_H
+#include "stages/color/joint_edges.h"
+#include "stages/sleep/island.h"
+
+// Wakes sleeping bodies that touch a static or kinematic collidable that begins to move.
+KERNEL(contact_wake)
+{
+	Word flags = p->contact_flags[i];
+	if (i >= p->counters->live || !(flags & CONTACT_ASLEEP))
+		return;
+	Int2 pair = p->pair[i];
+	if ((p->collidable_flags[pair.x] | p->collidable_flags[pair.y]) & COLLIDABLE_SHIFTED)
+		island_wake_both(p, p->contact_bodies[i]);
+}
+
+// Wakes a sleeping body that is joined to a static or kinematic body that the user moved.
+KERNEL(joint_wake)
+{
+	if (!(p->joint_flags[i] & JOINT_ASLEEP))
+		return;
+	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	if ((!body_can_move(p, bodies.x) && island_is_woken(p, bodies.x)) ||
+	    (!body_can_move(p, bodies.y) && island_is_woken(p, bodies.y)))
+		island_wake_both(p, bodies);
+}
+
+// Decides which of the kernels below run. argument: SEARCH_NEVER, SEARCH_DROWSY or SEARCH_NOW.
+KERNEL(sleep_begin)
+{
+	GLOBAL Counters* c = p->counters;
+	int search = p->argument == SEARCH_NOW || (p->argument && (c->drowsy | c->joined_islands));
+	c->searching = 0;
+	c->waking = 0;
+	c->marked = 0;
+	c->settling = 0;
+	if (c->stalled)
+		return;
+	c->marked = c->woken;
+	c->settling = c->woken;
+	c->waking = search ? 0 : c->woken;
+	c->searching = search ? 0x7fffffff : 0;
+	c->woken = 0;
+	if (p->argument)
+	{
+		c->drowsy = 0;
+		c->joined_islands = 0;
+	}
+	(void)i;
+}
+
+KERNEL(body_wake)
+{
+	int island = body_island(p, i);
+	if (island >= 0 && p->wake[island])
+		body_rise(p, i);
+}
+
+// Ends the constraint of slot i, or begins it again, if its bodies fell asleep or woke.
+#define SLEEP_EDGE(kind, bodies, flags, ASLEEP, begins)     \
+	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y];   \
+	if (sleeps && p->kind##_color[i] != COLOR_NONE)         \
+	{                                                       \
+		if (p->kind##_place[i] >= 0)                        \
+			kind##_keep(p, i, p->kind##_place[i]);          \
+		kind##_leave(p, i);                                 \
+		p->kind##_flags[i] = flags | ASLEEP;                \
+	}                                                       \
+	else if (!sleeps && flags & ASLEEP)                     \
+	{                                                       \
+		p->kind##_flags[i] = flags & ~ASLEEP;               \
+		begins;                                             \
+	}
+
+KERNEL(contact_sleep)
+{
+	Word flags = p->contact_flags[i];
+	if (i >= p->counters->live || p->pair[i].x < 0)
+		return;
+	Int2 bodies = p->contact_bodies[i];
+	SLEEP_EDGE(contact, bodies, flags, CONTACT_ASLEEP, edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), bodies))
+}
+
+KERNEL(joint_sleep)
+{
+	int flags = p->joint_flags[i];
+	if (!(flags & JOINT_THERE))
+		return;
+	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	// if joints were changed, joint_update begins all joints that have no constraint
+	int begins = joint_wanted(flags) && p->counters->joints_dirty == 0;
+	SLEEP_EDGE(joint, bodies, flags, JOINT_ASLEEP, if (begins) joint_begin(p, i))
+}
+
+// Wakes all bodies, or puts them to sleep in the next step, for a call of the user between two steps. argument: 1 to wake.
+KERNEL(set_awake)
+{
+	float still = p->still[i];
+	if (!body_takes_part(p, i))
+		return;
+	if (p->argument && p->sleep[i])
+		island_wake(p, i, WAKE_USER);
+	if (p->argument && still == STILL_FORCED)
+		p->still[i] = 0.0f;
+	if (!p->argument && p->sleep_threshold[i] >= 0.0f)
+		p->still[i] = STILL_FORCED;
+}
+
+// Writes to the pool island whether a body sleeps, and is not marked to wake.
+KERNEL(sleep_report)
+{
+	int island = body_island(p, i);
+	p->island[i] = island >= 0 && p->wake[island] == 0;
+}
+
+// Clears the marks of islands.
+KERNEL(sleep_end) { p->wake[i] = 0; }
+
+#endif
