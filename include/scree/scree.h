@@ -373,9 +373,10 @@ typedef struct scree_counters
 	// Locks whose lock_hertz is not 0, gears and pulleys do not count. In a world at rest, a gap of more than some mm
 	// means that joints shake or are overloaded.
 	float joint_gap;
+	int asleep_bodies; // current number of bodies that sleep (see "Sleep")
 } scree_counters;
 
-// Returns the counters. bodies, dynamic_bodies, collidables and attributes are current; all others are those of the
+// Returns the counters. bodies, dynamic_bodies, asleep_bodies, collidables and attributes are current; all others are those of the
 // last step.
 static inline scree_status scree_world_get_counters(scree_world* world, scree_counters* counters);
 

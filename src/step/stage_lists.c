@@ -163,6 +163,8 @@ void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request
 	runs_add(list, KERNEL_contact_sleep, 0, contacts, COUNT(settling), 0);
 	if (joints > 0)
 		runs_add(list, KERNEL_joint_sleep, 0, joints, COUNT(settling), 0);
+	if (joints > 0 && step->h_ratio != 1.0f)
+		runs_add(list, KERNEL_joint_rescale, 0, joints, NO_COUNT, 0);
 	runs_add(list, KERNEL_sleep_end, 0, bodies, COUNT(marked), 0);
 }
 

@@ -54,6 +54,21 @@ scree_status pipeline_report_sleep(Pipeline* pipeline, int first, int count)
 	return b->f->run(b, &step, &run, 1);
 }
 
+scree_status pipeline_count_sleep(Pipeline* pipeline, int bodies, int* asleep, int* touching)
+{
+	Backend* b = pipeline->backend;
+	Step step = {0};
+	Run run = {.kernel_id = KERNEL_sleep_count, .end = HASH_SUMS, .count = NO_COUNT, .argument = bodies};
+	uint64_t sums[HASH_SUMS], sum = 0;
+	TRY(b->f->run(b, &step, &run, 1));
+	TRY(b->f->read(b, POOL_hash, 0, HASH_SUMS, sums));
+	for (int k = 0; k < HASH_SUMS; ++k)
+		sum += sums[k];
+	*asleep = (int)(uint32_t)sum;
+	*touching = (int)(sum >> 32);
+	return SCREE_OK;
+}
+
 scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, int* count)
 {
 	Backend* b = pipeline->backend;

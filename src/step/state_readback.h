@@ -15,6 +15,10 @@ scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count);
 // Updates the pool island for `count` bodies from `first` on: 1 for a body that sleeps and is not marked to wake, else 0.
 scree_status pipeline_report_sleep(Pipeline* pipeline, int first, int count);
 
+// Counts the bodies that sleep and are not marked to wake, and the touching contacts that have no constraint because a
+// body sleeps.
+scree_status pipeline_count_sleep(Pipeline* pipeline, int bodies, int* asleep, int* touching);
+
 // Lists the touching contacts of a body in the pool contact_report; sets *count. The user's changes must be uploaded.
 scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, int* count);
 

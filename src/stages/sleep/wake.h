@@ -5,6 +5,7 @@
 // before the coloring, so that their constraints are solved in that step.
 #ifndef WAKE_H
 #define WAKE_H
+#include "constraints/joint_asleep.h"
 #include "stages/color/joint_edges.h"
 #include "stages/sleep/island.h"
 
@@ -97,6 +98,14 @@ KERNEL(joint_sleep)
 	SLEEP_EDGE(joint, bodies, flags, JOINT_ASLEEP, if (begins) joint_begin(p, i))
 }
 
+// Item: a joint, in a step whose substeps have another length than those of the last step. Forces of sleeping joints
+// stay the same, impulses do not; the warm start scales those of awake joints.
+KERNEL(joint_rescale)
+{
+	if (!p->counters->stalled && p->joint_flags[i] & JOINT_ASLEEP)
+		joint_scale_asleep(p, i, p->step.h_ratio);
+}
+
 // Wakes all bodies, or puts them to sleep in the next step, for a call of the user between two steps. argument: 1 to wake.
 KERNEL(set_awake)
 {
@@ -116,6 +125,21 @@ KERNEL(sleep_report)
 {
 	int island = body_island(p, i);
 	p->island[i] = island >= 0 && p->wake[island] == 0;
+}
+
+// Item: a partial sum, over the items i, i + HASH_SUMS, i + 2 HASH_SUMS and so on, of the number of sleeping bodies and,
+// in the upper 32 bits, of touching contacts without a constraint. argument: number of bodies.
+KERNEL(sleep_count)
+{
+	Word64 sum = 0;
+	for (int k = i; k < p->argument; k += HASH_SUMS)
+	{
+		int island = body_island(p, k);
+		sum += (Word64)(island >= 0 && p->wake[island] == 0);
+	}
+	for (int k = i; k < p->counters->contacts; k += HASH_SUMS)
+		sum += (Word64)(p->pair[k].x >= 0 && p->contact_flags[k] & CONTACT_ASLEEP) << 32;
+	p->hash[i] = sum;
 }
 
 // Clears the marks of islands.
