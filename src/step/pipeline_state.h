@@ -46,6 +46,7 @@ typedef struct // the request of a step
 	float hit_speed, hit_impulse; // as Step.hit_speed, Step.hit_impulse
 	int fields;                   // number of active fields
 	bool field_shapes;            // some fields act on shapes
+	bool carried_fields;          // some fields move with bodies
 	bool sleep;                   // bodies may sleep
 	float sleep_threshold;        // as Step.sleep_threshold
 	bool request_again;           // as Step.request_again

@@ -137,6 +137,16 @@ void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		list_approvals(list, step, bodies, pipeline->platforms);
 }
 
+// Lists the runs that compute poses and boxes of fields.
+static void list_field_boxes(Pipeline* pipeline, const StepRequest* request, int bound)
+{
+	RunList* list = &pipeline->list;
+	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
+	runs_add(list, KERNEL_field_place, 0, padded, bound, fields);
+	if (fields > FIELD_FEW)
+		runs_add(list, KERNEL_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);
+}
+
 void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request)
 {
 	RunList* list = &pipeline->list;
@@ -146,6 +156,11 @@ void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request
 	search = request->sleep && step->dt > 0.0f ? search : SEARCH_NEVER;
 	if (!step->sleep)
 		return;
+	if (request->carried_fields)
+	{
+		list_field_boxes(pipeline, request, NO_COUNT);
+		runs_add(list, KERNEL_field_wake, 0, bodies, NO_COUNT, request->fields);
+	}
 	runs_add(list, KERNEL_contact_wake, 0, contacts, COUNT(shifted), 0);
 	if (joints > 0)
 		runs_add(list, KERNEL_joint_wake, 0, joints, COUNT(woken), 0);
@@ -252,10 +267,8 @@ void list_presses(Pipeline* pipeline, int bodies, bool may_wait)
 void list_fields(Pipeline* pipeline, const StepRequest* request, int bound)
 {
 	RunList* list = &pipeline->list;
-	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
-	runs_add(list, KERNEL_field_place, 0, padded, bound, fields);
-	if (fields > FIELD_FEW)
-		runs_add(list, KERNEL_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);
+	int fields = request->fields;
+	list_field_boxes(pipeline, request, bound);
 	if (request->field_shapes)
 		runs_add(list, KERNEL_field_shape, 0, request->collidables, bound, fields);
 	runs_add(list, KERNEL_field_body, 0, request->bodies, bound, RUN_PAIR(request->field_shapes, fields));

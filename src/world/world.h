@@ -97,7 +97,8 @@ typedef struct
 	int capacity;
 	bool stale;  // true: a field has changed since the last upload
 	int acting;  // number of active fields on the device
-	bool shapes; // true: some active field acts on shapes, not only on centers of mass
+	bool carried; // true: some active field moves with a body
+	bool shapes;  // true: some active field acts on shapes, not only on centers of mass
 } Fields;
 
 typedef struct // host data of an attribute, beside its definition

@@ -15,6 +15,7 @@
 #include "world/objects/mass.h"
 #include "world/objects/sleep.h"
 #include "world/objects/targets.h"
+#include "world/upload/whole_sleep.h"
 #include "world/world.h"
 
 void scree_body_def_default_sized(scree_body_def* def, size_t size)
@@ -223,6 +224,9 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	}
 	if (status == SCREE_OK)
 		status = edits_reserve(world, function, count, collidables, 0);
+	for (int k = 0; k < count && status == SCREE_OK; ++k)
+		if (world->host_bodies[bodies[k].index].fields > 0)
+			status = world_set_awake(world, true);
 	for (int k = 0; k < marked && status != SCREE_OK; ++k)
 		world->host_bodies[bodies[k].index].marked = false;
 	TRY(status);

@@ -12,6 +12,7 @@
 #include "world/objects/kinematics.h"
 #include "world/objects/mass.h"
 #include "world/objects/targets.h"
+#include "world/upload/whole_sleep.h"
 #include "world/world.h"
 
 static scree_status lookup(const scree_world* world, const char* function, scree_body body, const char* argument,
@@ -206,6 +207,8 @@ static scree_status set_enabled(scree_world* world, const char* function, const 
 	{
 		TRY(check_body(world, (ArgumentPlace){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
 		collidables += world->host_bodies[index].collidables;
+		if (world->host_bodies[index].fields > 0)
+			TRY(world_set_awake(world, true));
 	}
 	TRY(edits_reserve(world, function, 0, collidables, 2 * count));
 	TRY(insert_batch(world, bodies, enabled, count));

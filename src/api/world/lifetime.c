@@ -128,6 +128,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .hit_speed = world->def.hit_speed,
 	                       .hit_impulse = world->def.hit_impulse};
 	request.fields = fields_acting(world, &request.field_shapes);
+	request.carried_fields = world->fields.carried;
 	if (dt > 0.0f)
 		TRY(targets_commands(world, &request.commands));
 	idle_begin(world);

@@ -90,6 +90,35 @@ KERNEL(contact_link)
 	island_link(p, p->contact_bodies[i], shifted, p->contact_color[i] == COLOR_NONE && !(flags & CONTACT_ASLEEP));
 }
 
+// Returns the velocity of an anchor of a joint. frame: pose of the anchor in the frame of the body.
+INLINE Vec anchor_velocity(const Pools* p, int body, Float4 frame)
+{
+	BodyState state = p->body[body];
+	Float4 pose = p->pose[body];
+	Float2 center = p->local_center[body];
+	Vec arm = vec_turn(vec(pose.z, pose.w), vec(frame.x - center.x, frame.y - center.y));
+	return vec_add(vec(state.vx, state.vy), vec_spin(state.w, arm));
+}
+
+// Returns whether a motor of a joint turns or moves its bodies at half of its speed or more. A motor that is too weak, or
+// that pushes against a limit, does not.
+INLINE int joint_drives_bodies(const Pools* p, const GLOBAL JointData* data)
+{
+	int modes = (int)data->modes, drives = 0;
+	float ratio = modes & JOINT_COUPLED ? absolute(data->gear_ratio) : 1.0f;
+	float turn_a = p->body[data->body_a].w, turn_b = p->body[data->body_b].w;
+	Vec apart = vec_sub(anchor_velocity(p, data->body_b, data->frame[1]), anchor_velocity(p, data->body_a, data->frame[0]));
+	float slides = absolute(apart.x) + absolute(apart.y);
+	float turns = modes & JOINT_COUPLED ? absolute(turn_b) + ratio * absolute(turn_a) : absolute(turn_b - turn_a);
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		float speed = absolute(data->drive[k].speed);
+		float now = modes & JOINT_COUPLED ? slides + turns : k == JOINT_ANGLE ? turns : slides;
+		drives |= modes & JOINT_MOTOR(k) && data->drive[k].motor_most > 0.0f && speed > 0.0f && now >= 0.5f * speed;
+	}
+	return drives;
+}
+
 KERNEL(joint_link)
 {
 	if (!joint_wanted(p->joint_flags[i]))
@@ -97,6 +126,13 @@ KERNEL(joint_link)
 	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
 	int moves = (!body_can_move(p, bodies.x) && body_is_moving(p, bodies.x)) ||
 	            (!body_can_move(p, bodies.y) && body_is_moving(p, bodies.y));
+	int drives = (int)p->joint_data[i].modes & (JOINT_MOTOR(0) | JOINT_MOTOR(1) | JOINT_MOTOR(2)) &&
+	             joint_drives_bodies(p, p->joint_data + i);
+	if (drives)
+	{
+		island_note(p, bodies.x, ISLAND_RESTLESS);
+		island_note(p, bodies.y, ISLAND_RESTLESS);
+	}
 	island_link(p, bodies, moves, 0);
 }
 
