@@ -1507,12 +1507,13 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 // in the next step. A second call before the next step replaces the values of the first.
 SCREE_API scree_status scree_world_approve_contacts(scree_world* world, const bool* approved, int count);
 
-typedef struct scree_moved_body // a body whose pose has changed
+typedef struct scree_moved_body // a body that moved, fell asleep or woke
 {
 	scree_body body;
 	uint64_t user; // user data
 	scree_pose pose;
 	scree_velocity velocity;
+	bool asleep;
 } scree_moved_body;
 
 typedef struct scree_moved_bodies
@@ -1522,7 +1523,8 @@ typedef struct scree_moved_bodies
 	const scree_moved_body* bodies; // in ascending index order
 } scree_moved_bodies;
 
-// Returns the bodies that have moved since the last call, by motion or by the user, and those that were created since.
+// Returns the bodies that have moved since the last call, by motion or by the user, those that fell asleep or woke (see
+// "Sleep"), and those that were created since.
 // This is the data that a renderer or a network needs. The first call lists all bodies.
 //
 // A body has moved if any component of its pose (scree_body_get_pose) differs at all from that at the last call, even

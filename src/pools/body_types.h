@@ -93,8 +93,10 @@ typedef struct // 32 bytes: a body that moved, as listed for the user
 {
 	Float4 pose; // pose of the center of mass: x, y, cos, sin
 	float vx, vy, w;
-	int body;
+	int body; // index, plus MOVED_ASLEEP if the body sleeps
 } MovedBody;
+
+#define MOVED_ASLEEP MAX_ITEMS
 
 typedef struct // indices of kinematic bodies; not in Step, as a variable index would put Step on the stack of a GPU
 {
