@@ -26,6 +26,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	KindLayout layout[CONSTRAINT_KINDS]; // places of the constraints of each kind
 	int woken;   // INT_MAX if some island is marked in the pool wake
 	int joined_islands; // 1 if a sleeping body began to touch another sleeping island, so that both become one
+	int movers;  // 1 if some body that does not sleep moved or may move in the last step, in a world that sleeps
 	int drowsy;  // 1 if some body has been at rest for SLEEP_TIME
 	int hubs;                            // number of hubs
 	int split;                           // number of spokes if some body is split into parts, else 0

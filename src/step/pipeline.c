@@ -18,6 +18,10 @@
 // Number of coloring rounds beyond those that the last step needed; then the host checks that no contact is uncolored.
 #define SPARE_ROUNDS 2
 
+// Number of steps without motion after which steps are skipped. In the first one, islands fall asleep; in the second one,
+// marks of collidables that moved are cleared.
+#define QUIET_STEPS 3
+
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
 {
 	pipeline->backend = backend;
@@ -183,10 +187,46 @@ static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 	return pipeline_reserve(pipeline, PER_KEY, pairs);
 }
 
+// Returns whether a step would change nothing: in the last QUIET_STEPS steps all bodies slept or stood, and the user has
+// changed nothing since. The counter `movers` that a step reads is that of the step before.
+static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
+{
+	bool same = request->dt == 0.0f || pipeline->counters.joints == 0 ||
+	            request->dt / (float)request->substeps == pipeline->step.h;
+	return pipeline->quiet >= QUIET_STEPS && !pipeline->edited && request->sleep && request->commands.count == 0 &&
+	       !pipeline->asks && same;
+}
+
+// Ends a step that changes nothing, without the device.
+static void skip(Pipeline* pipeline, const StepRequest* request)
+{
+	if (request->dt > 0.0f)
+		pipeline->step = step_constants(pipeline, request);
+	pipeline->traffic = (scree_traffic){0};
+	memset(pipeline->stage_times, 0, sizeof pipeline->stage_times);
+	++pipeline->steps;
+	++pipeline->skipped;
+	pipeline->rested = true;
+}
+
+// Counts the successive steps in which nothing moved.
+static void count_quiet(Pipeline* pipeline)
+{
+	bool moved = pipeline->counters.movers != 0 || pipeline->edited;
+	pipeline->quiet = moved ? 0 : pipeline->quiet + (pipeline->quiet < QUIET_STEPS);
+	pipeline->edited = false;
+}
+
 scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
+	if (is_quiet(pipeline, request))
+	{
+		skip(pipeline, request);
+		return SCREE_OK;
+	}
 	pipeline->started = false;
+	pipeline->rested = false;
 	pipeline->trees[0].seen = false;
 	TRY(prepare(pipeline, request));
 	Step step = step_constants(pipeline, request);
@@ -205,6 +245,8 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	}
 	pipeline->started = false;
 	TRY(count_trees(pipeline));
+	if (request->dt > 0.0f && request->sleep)
+		count_quiet(pipeline);
 	pipeline->sleeps = request->sleep;
 	pipeline->settles = pipeline->settles && request->dt == 0.0f;
 	pipeline->jumps = false;

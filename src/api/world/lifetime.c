@@ -149,7 +149,8 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	auto_count(world, begin);
 	TRY(world_note(world, status));
 	world->reports.fetched = false;
-	status = sensors_update(world, function);
+	// without motion, visits neither begin nor end
+	status = world->pipeline.rested ? SCREE_OK : sensors_update(world, function);
 	if (status != SCREE_OK) // the step is complete without its visits, so later steps would miss them
 		world->broken = status;
 	TRY(world_note(world, status));

@@ -9,6 +9,7 @@ INLINE void counters_clear(const Pools* p)
 {
 	p->counters->nonfinite = 0;
 	p->counters->held = 0;
+	p->counters->movers = 0;
 	p->counters->first_nonfinite = 0x7fffffff;
 }
 

@@ -159,6 +159,7 @@ static scree_status upload(scree_world* world, bool steps)
 	if (no_edits(&world->edits) && !chains && !world->materials.waiting && !world->exclusions.waiting &&
 	    !world->fields.stale)
 		return SCREE_OK;
+	world->pipeline.edited = true;
 	TRY(reports_fetch(world)); // reads the events first, because an upload may change the items to which they refer
 	world->pipeline.trees[0].seen = false;
 	double begin = auto_clock();

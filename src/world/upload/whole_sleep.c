@@ -15,5 +15,6 @@ scree_status world_set_awake(scree_world* world, bool awake)
 	// the calls of the user keep their order, whenever they are uploaded
 	TRY(world_upload(world));
 	world->pipeline.settles |= !awake;
+	world->pipeline.edited = true;
 	return world_note(world, b->f->run(b, &step, &run, 1));
 }
