@@ -218,7 +218,7 @@ static bool left_differs(const Left* a, const Left* b, Outcome* outcome)
 
 void program_add_empty(Program* program)
 {
-	static const CallKind kinds[] = {CALL_move, CALL_clear, CALL_step, CALL_step, CALL_gravity};
+	static const CallKind kinds[] = {CALL_move, CALL_clear, CALL_step, CALL_step, CALL_gravity, CALL_tuning};
 	const Call made = program->calls[0];
 	for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; ++k)
 	{
@@ -230,6 +230,8 @@ void program_add_empty(Program* program)
 			call_set(&call, "x", call_value(&made, "gravity_x"));
 			call_set(&call, "y", call_value(&made, "gravity_y"));
 		}
+		for (int i = 0; i < call_info(CALL_tuning)->count && call.kind == CALL_tuning; ++i)
+			call_set(&call, call_info(CALL_tuning)->names[i], call_value(&made, call_info(CALL_tuning)->names[i]));
 		program_add(program, call);
 	}
 }
@@ -280,6 +282,7 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 {
 	Outcome outcome = {0};
+	Sleepers sleepers = {0};
 	if (!pair_ready(pair, &program->calls[0], &outcome))
 		return outcome;
 	for (int i = 1; i < program->count; ++i)
@@ -298,6 +301,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 		if (!differs && moved && left[0].status == SCREE_OK && hashes)
 		{
 			outcome.frozen += state_frozen(pair->worlds[0]);
+			sleepers_count(&sleepers, pair->worlds[0], &outcome.slept, &outcome.woke);
 			bool good = (pair->infinite || state_finite(pair->worlds[0], outcome.sentence)) &&
 			            state_colored(pair->worlds[0], outcome.sentence) &&
 			            (!pair->limits || state_limited(pair->worlds[0], outcome.sentence));
@@ -307,7 +311,8 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 			continue;
 		if (details && left[0].status == SCREE_OK && left[1].status == SCREE_OK)
 			different_print(pair->worlds[0], pair->worlds[1], details);
-		return outcome;
+		break;
 	}
+	sleepers_close(&sleepers);
 	return outcome;
 }

@@ -92,6 +92,7 @@ typedef struct
 	int call;           // index of the first call after which the worlds differ
 	char sentence[256]; // description of the difference
 	int steps, frozen;  // number of steps; number of bodies that were frozen in these steps
+	int slept, woke;    // number of times that a body fell asleep, and that a body woke
 	uint64_t hash;      // hash of the results of all calls; equal on every platform
 } Outcome;
 
@@ -116,6 +117,16 @@ bool state_finite(scree_world* world, char sentence[256]);
 bool state_limited(scree_world* world, char sentence[256]);
 // Returns the number of bodies that the last step froze.
 int state_frozen(scree_world* world);
+
+// asleep.c: counts bodies that fall asleep and wake.
+typedef struct
+{
+	scree_body* sleepers; // per slot: the body that slept there after the last step, or null
+	int slots;
+} Sleepers;
+// Adds the numbers of bodies that fell asleep, and that woke, since the last call.
+void sleepers_count(Sleepers* sleepers, scree_world* world, int* slept, int* woke);
+void sleepers_close(Sleepers* sleepers);
 
 // coloring.c: returns whether colors, counts and hubs are consistent. If not, sentence gets the first fault.
 bool state_colored(scree_world* world, char sentence[256]);
