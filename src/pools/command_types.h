@@ -37,12 +37,13 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_ARRIVE          16 // same contents as COMMAND_TARGET; moves the body there after the step, and stops it
 #define COMMAND_AWAKE           17 // whole[0]: 1 to wake the body, 0 to put its island to sleep
 #define COMMAND_SLEEP           18 // x: value of the pool sleep_threshold; whole[0]: one of the values below
-#define COMMAND_PLACE           19 // collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE      20 // local pose x, y, cos, sin; whole[0]: attribute; whole[1]: body; no contacts remain
-#define COMMAND_ATTRIBUTE       21 // whole[0]: another attribute of the same shape
-#define COMMAND_FILTER          22 // bits of category and mask; whole[0]: group; whole[1]: kind | Filter.reports << 8
-#define COMMAND_NEXT            23 // whole[0]: 1 + index of the body's next collidable; 0 if this is the last one
-#define COMMAND_REPORTS         24 // whole[0]: Filter.reports
+#define COMMAND_JOINTS          19 // the user changed joints of the body, which only wakes its island
+#define COMMAND_PLACE           20 // collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE      21 // local pose x, y, cos, sin; whole[0]: attribute; whole[1]: body; no contacts remain
+#define COMMAND_ATTRIBUTE       22 // whole[0]: another attribute of the same shape
+#define COMMAND_FILTER          23 // bits of category and mask; whole[0]: group; whole[1]: kind | Filter.reports << 8
+#define COMMAND_NEXT            24 // whole[0]: 1 + index of the body's next collidable; 0 if this is the last one
+#define COMMAND_REPORTS         25 // whole[0]: Filter.reports
 
 #define SLEEP_AS_BEFORE  0 // only the threshold changes
 #define SLEEP_NOT_YET    1 // a new body, which is awake

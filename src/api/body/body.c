@@ -205,7 +205,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, bodies, count));
 	scree_status status = SCREE_OK;
-	int marked = 0, collidables = 0;
+	int marked = 0, collidables = 0, joints = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)
 	{
 		if (marked + BODY_SOON < count)
@@ -219,11 +219,12 @@ static scree_status destroy(scree_world* world, const char* function, const char
 			HostBody* host = world->host_bodies + index;
 			host->marked = true;
 			collidables += host->collidables;
+			joints += body_joint_count(world, index);
 			++marked;
 		}
 	}
 	if (status == SCREE_OK)
-		status = edits_reserve(world, function, count, collidables, 0);
+		status = edits_reserve(world, function, count, collidables, JOINT_COMMANDS * joints);
 	for (int k = 0; k < count && status == SCREE_OK; ++k)
 		if (world->host_bodies[bodies[k].index].fields > 0)
 			status = world_set_awake(world, true);

@@ -34,30 +34,6 @@ INLINE void joint_seek(const Pools* p, int slot)
 	path_count_store(p, slot, p->joint_place[slot], &count);
 }
 
-// Wakes a body of a joint that the user made, changed or destroyed, unless the body cannot move or is created asleep.
-INLINE void joint_wake_end(const Pools* p, int body)
-{
-	if (p->body[body].inv_mass > 0.0f && p->still[body] != STILL_MADE)
-		island_wake(p, body, WAKE_WORLD);
-}
-
-INLINE void joint_wake_ends(const Pools* p, const GLOBAL JointData* data)
-{
-	joint_wake_end(p, data->body_a);
-	joint_wake_end(p, data->body_b);
-}
-
-// Returns whether an edit changes a joint, and not only its spot among the joints of chains.
-INLINE int joint_differs(const Pools* p, int slot, int edit)
-{
-	const GLOBAL Word *then = (const GLOBAL Word*)(p->joint_data + slot), *now = (const GLOBAL Word*)&p->joint_edit[edit].data;
-	int differs = (p->joint_flags[slot] ^ p->joint_edit[edit].flags) &
-	              (JOINT_THERE | JOINT_ACTIVE | JOINT_COLLIDES | JOINT_CAN_BREAK | JOINT_ACTS);
-	for (int k = 0; k < (int)(sizeof(JointData) / sizeof(Word)) && !differs; ++k)
-		differs = then[k] != now[k];
-	return differs;
-}
-
 // Item: a joint that the user created or changed. argument: number of joint slots in use before these edits. A joint
 // that broke stays broken, unless it was replaced by a new one.
 KERNEL(joint_apply)
@@ -77,15 +53,7 @@ KERNEL(joint_apply)
 		if (edit.flags & JOINT_SEEKS)
 			joint_seek(p, slot);
 	}
-	int was_seeking = edit.flags & JOINT_SEEKS;
 	edit.flags &= ~JOINT_SEEKS;
-	int there = slot < p->argument && p->joint_flags[slot] & JOINT_THERE;
-	if (!there || joint_differs(p, slot, i) || edit.flags & (JOINT_NEW | JOINT_RESTARTS) || was_seeking)
-	{
-		if (there)
-			joint_wake_ends(p, p->joint_data + slot);
-		joint_wake_ends(p, &p->joint_edit[i].data);
-	}
 	if (slot >= p->argument || p->joint_spot[slot] != edit.spot)
 		raise_int(&p->counters->joint_moved, 1);
 	p->joint_spot[slot] = edit.spot;

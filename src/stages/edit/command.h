@@ -316,6 +316,7 @@ INLINE int command_stirs(const Pools* p, Command c)
 	case COMMAND_VELOCITY:
 		return xy || c.value.z != 0.0f;
 	case COMMAND_MASS:
+	case COMMAND_JOINTS:
 		return p->still[c.index] != STILL_MADE;
 	case COMMAND_POSE:
 	case COMMAND_MOTION:

@@ -220,7 +220,7 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Predicti
 	p->contact_manifold[i] = manifold;
 }
 
-// Completes a new manifold of a contact with a sleeping body. A touch that begins with something that moves wakes the
+// Completes a new manifold of a contact whose bodies sleep, or slept until now. A touch that begins with something that moves wakes the
 // body, and so does the end of a touch. flags: flags of the contact before this step; moved: COLLIDABLE_* bits of the
 // pair. The constraint begins when all bodies are awake (contact_sleep).
 RARE void narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
@@ -280,14 +280,15 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	p->contact_flags[i] = now;
 	p->contact_feature[i] = features;
 	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute, moved, within);
-	if (p->step.sleep && (p->sleep[p->contact_bodies[i].x] | p->sleep[p->contact_bodies[i].y]))
+	Int2 bodies = p->contact_bodies[i];
+	if (p->step.sleep && (flags & CONTACT_ASLEEP || p->sleep[bodies.x] | p->sleep[bodies.y]))
 		narrow_phase_asleep(p, i, flags, moved);
 	else if (!touching)
 		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)))
 	{
 		p->contact_press[i] = 0; // clears the presses that the contact handed on when it last touched
-		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), p->contact_bodies[i]);
+		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), bodies);
 	}
 }
 
