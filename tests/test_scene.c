@@ -392,6 +392,47 @@ static void test_contact_details(void** state)
 	}
 }
 
+// Balls in the air fall unless they are asleep, and a ball is asleep only in a scene that sleeps. Balls that are replaced
+// are awake. Thresholds and stays_awake arrive at the bodies.
+static void test_sleep(void** state)
+{
+	(void)state;
+	for (int sleeps = 0; sleeps <= 1; ++sleeps)
+	{
+		char text[640];
+		snprintf(text, sizeof text,
+		         HEAD
+		         "\"world\": {\"sleep\": %s, \"sleep_threshold\": 0.25}, \"attributes\": {\"a\": {\"circle\": 1}}, "
+		         "\"bodies\": [{\"attribute\": \"a\", \"asleep\": true, \"sleep_threshold\": \"0.5 * i\", "
+		         "\"repeat\": {\"index\": \"i\", \"to\": 2}, \"position\": [\"9 * i\", 0]}, {\"attribute\": "
+		         "\"a\", \"position\": [18, 0], \"stays_awake\": true}, {\"attribute\": \"a\", \"asleep\": true, "
+		         "\"position\": [27, 0], \"churn\": {\"replaced\": 1, \"position\": [27, 90]}}]}",
+		         sleeps ? "true" : "false");
+		ScenePlayer player = open_text(SCRATCH, text);
+		scree_world* world = player.world;
+		scree_tuning tuning = {.size = sizeof tuning};
+		OK(scree_world_get_tuning(world, &tuning));
+		assert_true(tuning.sleep == sleeps && tuning.sleep_threshold == 0.25f);
+		OK(player_step(&player));
+		scree_body bodies[4];
+		int count;
+		OK(scree_world_get_bodies(world, bodies, 4, &count));
+		assert_int_equal(count, 4);
+		for (int k = 0; k < 4; ++k)
+		{
+			bool awake, stays;
+			float threshold;
+			OK(scree_body_get_awake(world, bodies[k], &awake));
+			OK(scree_body_get_stays_awake(world, bodies[k], &stays));
+			OK(scree_body_get_sleep_threshold(world, bodies[k], &threshold));
+			assert_true(awake == (k > 1 || !sleeps) && stays == (k == 2) && threshold == (k == 1 ? 0.5f : 0.0f));
+			float start = k == 3 ? 90.0f : 0.0f;
+			assert_true((pose_of(world, bodies[k]).position.y < start) == awake);
+		}
+		close_text(&player);
+	}
+}
+
 // A disabled body does not fall; an enabled one does.
 static void test_disabled(void** state)
 {
@@ -496,7 +537,7 @@ int main(void)
 	    cmocka_unit_test(test_shipped),         cmocka_unit_test(test_most_bodies),  cmocka_unit_test(test_ten_million),
 	    cmocka_unit_test(test_build),           cmocka_unit_test(test_churn),        cmocka_unit_test(test_disabled),
 	    cmocka_unit_test(test_contact_details), cmocka_unit_test(test_fields),       cmocka_unit_test(test_keys),
-	    cmocka_unit_test(test_random_ranges),
+	    cmocka_unit_test(test_random_ranges),   cmocka_unit_test(test_sleep),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
