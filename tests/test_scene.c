@@ -80,7 +80,8 @@ static void test_shipped(void** state)
 	    {"gears", 51, 719, 91},           {"coaster", 13, 21, 20},
 	    {"pond", 2028, 2048, 0},          {"blast", 730, 730, 0},
 	    {"lidar", 1941, 1951, 0},         {"platformer", 58, 58, 4},
-	    {"platforms", 279, 279, 0},
+	    {"platforms", 279, 279, 0},       {"city", 4153, 4153, 1308},
+	    {"alarm-clock", 170, 198, 32},
 	};
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);
@@ -109,19 +110,30 @@ static void test_shipped(void** state)
 	free(names);
 }
 
-// Ten million boxes stay within 5 km of the origin, where floats are 0.5 mm apart.
+// Ten million boxes stay within 5 km of the origin, and a city of ten million bodies within 8 km. There floats are 0.5 mm
+// apart.
 static void test_ten_million(void** state)
 {
 	(void)state;
 	skip_if_quick();
 	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
-	const SceneSetting settings[] = {{"columns", "426"}, {"rows", "427"}};
-	assert_true(scene_find("pyramids", NULL, path, sentence));
-	Scene* scene = scene_load(path, settings, 2, sentence);
-	assert_non_null(scene);
-	assert_true(scene->body_count > 10000000);
-	assert_true(scene->view.lower.x > -5000 && scene->view.lower.y > -5000);
-	scene_free(scene);
+	const struct
+	{
+		const char* name;
+		SceneSetting settings[2];
+		int count, least; // number of settings, and least number of bodies
+		float far;        // m
+	} cases[] = {{"pyramids", {{"columns", "426"}, {"rows", "427"}}, 2, 10000000, 5000},
+	             {"city", {{"bodies", "10000000"}}, 1, 9800000, 8000}};
+	for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k)
+	{
+		assert_true(scene_find(cases[k].name, NULL, path, sentence));
+		Scene* scene = scene_load(path, cases[k].settings, cases[k].count, sentence);
+		assert_non_null(scene);
+		assert_true(scene->body_count > cases[k].least);
+		assert_true(scene->view.lower.x > -cases[k].far && scene->view.lower.y > -cases[k].far);
+		scene_free(scene);
+	}
 }
 
 // Checks that a scene may have as many bodies as a world.
