@@ -63,19 +63,19 @@ KERNEL(body_wake)
 }
 
 // Ends the constraint of slot i, or begins it again, if its bodies fell asleep or woke.
-#define SLEEP_EDGE(kind, bodies, flags, ASLEEP, begins)     \
-	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y];   \
-	if (sleeps && p->kind##_color[i] != COLOR_NONE)         \
-	{                                                       \
-		if (p->kind##_place[i] >= 0)                        \
-			kind##_keep(p, i, p->kind##_place[i]);          \
-		kind##_leave(p, i);                                 \
-		p->kind##_flags[i] = flags | ASLEEP;                \
-	}                                                       \
-	else if (!sleeps && flags & ASLEEP)                     \
-	{                                                       \
-		p->kind##_flags[i] = flags & ~ASLEEP;               \
-		begins;                                             \
+#define SLEEP_EDGE(kind, bodies, flags, ASLEEP, begins)   \
+	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y]; \
+	if (sleeps && p->kind##_color[i] != COLOR_NONE)       \
+	{                                                     \
+		if (p->kind##_place[i] >= 0)                      \
+			kind##_keep(p, i, p->kind##_place[i]);        \
+		kind##_leave(p, i);                               \
+		p->kind##_flags[i] = flags | ASLEEP;              \
+	}                                                     \
+	else if (!sleeps && flags & ASLEEP)                   \
+	{                                                     \
+		p->kind##_flags[i] = flags & ~ASLEEP;             \
+		begins;                                           \
 	}
 
 KERNEL(contact_sleep)
