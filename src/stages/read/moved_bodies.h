@@ -33,8 +33,9 @@ INLINE int reported_asleep(const Pools* p, int i)
 LIST_KERNEL(moved_mark, moved_bodies, moved_bodies)
 {
 	Float4 now = reported_origin(p, i), then = p->reported_pose[i];
-	return now.x != then.x || now.y != then.y || now.z != then.z || now.w != then.w ||
+	int moved = now.x != then.x || now.y != then.y || now.z != then.z || now.w != then.w ||
 	       reported_asleep(p, i) != p->reported_sleep[i];
+	return moved ? i : -1;
 }
 
 KERNEL(moved_key) { p->key[i] = (Word64)p->moved_bodies[i]; }
