@@ -22,7 +22,8 @@ static void tree_refit_stale(RunList* list, const Tree* tree, const Step* step)
 		return;
 	runs_add(list, KERNEL_leaf_update, 0, step->collidables, COUNT(updated_boxes), 0);
 	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, KERNEL_tree_node, 0, tree->count[level], COUNT(refit), RUN_PAIR(TREE_STALE_ONLY, level));
+		runs_add(list, KERNEL_tree_node, 0, tree->count[level], COUNT(stale_nodes) + level,
+		         RUN_PAIR(TREE_STALE_ONLY, level));
 }
 
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count)

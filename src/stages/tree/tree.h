@@ -45,11 +45,14 @@ KERNEL(tree_leaf)
 	box_pack(p->node_box, tree->begin[0] + i, box);
 }
 
-// Marks the node of a level that contains node i of the level below, in tree 0.
+// Lists the node of a level that contains node i of the level below, in tree 0, unless it is listed already.
 INLINE void tree_mark_above(const Pools* p, const GLOBAL Tree* tree, int level, int i)
 {
-	if (level <= tree->top)
-		write_shared_word(p->node_stale + (tree->begin[level - 1] + i) / ARITY, 1u);
+	int first = tree->begin[level - 1] / ARITY, node = i / ARITY;
+	GLOBAL int* stale = p->node_stale + first + node;
+	if (level > tree->top || read_shared(stale) || atomic_max_int(stale, 1))
+		return;
+	p->stale_nodes[first + atomic_add_int(&p->counters->stale_nodes[level], 1)] = node;
 }
 
 // Item: an updated collidable, in a world that sleeps. Updates the box of its leaf in tree 0, and marks the node above.
@@ -88,14 +91,12 @@ KERNEL(tree_node)
 {
 	int t = RUN_LOW(p->argument) & 1, level = RUN_HIGH(p->argument);
 	const GLOBAL Tree* tree = p->tree + t;
-	if (p->step.sleep && t == 0 && i < tree->count[level])
+	if (RUN_LOW(p->argument) & TREE_STALE_ONLY)
 	{
-		GLOBAL Word* stale = p->node_stale + tree->begin[level - 1] / ARITY + i;
-		if (RUN_LOW(p->argument) & TREE_STALE_ONLY && *stale == 0)
-			return;
-		if (RUN_LOW(p->argument) & TREE_STALE_ONLY)
-			tree_mark_above(p, tree, level + 1, i);
-		*stale = 0;
+		int first = tree->begin[level - 1] / ARITY;
+		i = p->stale_nodes[first + i];
+		p->node_stale[first + i] = 0;
+		tree_mark_above(p, tree, level + 1, i);
 	}
 	tree_join(p->node_box, tree, level, i);
 	if (p->step.kinematic > 0 && i < tree->count[level])
