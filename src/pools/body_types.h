@@ -25,7 +25,10 @@
 #define STILL_FORCED  (-1.0f) // value of the pool still: the user puts the island of the body to sleep
 #define STILL_STIRRED (-2.0f) // value of the pool still: the user moved the body, so its island stays awake in this step
 
-#define STILL_MADE (-3.0f) // value of the pool still: created asleep since the last step, so its parts may still be added
+// Value of the pool still: created asleep since the last step, so its parts may still be added. The body ignores marks in
+// the pool wake, which may be those of an earlier body of its slot; island_wake ends this value.
+#define STILL_MADE  (-3.0f)
+#define STILL_MOVED (-4.0f) // value of the pool still: static or kinematic, has joints, and was moved by the user
 
 // Values of the pool wake, in rising order of strength.
 #define WAKE_USER  1 // the user changed a body of the island; a later call may still put the island to sleep

@@ -342,8 +342,8 @@ INLINE void command_stir(const Pools* p, int i, int joined)
 		body_rise(p, i);
 	}
 	else if (joined)
-		island_wake(p, i, WAKE_WORLD);
-	p->still[i] = STILL_STIRRED;
+		raise_int(&p->counters->woken, 0x7fffffff);
+	p->still[i] = joined ? STILL_MOVED : STILL_STIRRED;
 }
 
 INLINE void command_apply(const Pools* p, Command c)
