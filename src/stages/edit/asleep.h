@@ -39,10 +39,12 @@ INLINE void island_wake_both(const Pools* p, Int2 bodies)
 		island_wake(p, bodies.y, WAKE_WORLD);
 }
 
-// The same when the bodies no longer touch. A body that was created asleep since the last step did not touch anything:
-// the touch was that of an earlier body of its slot.
-INLINE void island_wake_parted(const Pools* p, Int2 bodies)
+// The same when a contact ends. flags: its flags before; an overlap, or a pending contact, wakes nothing. A body that was
+// created asleep since the last step did not touch anything: the touch was that of an earlier body of its slot.
+INLINE void island_wake_parted(const Pools* p, Int2 bodies, Word flags)
 {
+	if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
+		return;
 	if (p->sleep[bodies.x] && p->still[bodies.x] != STILL_MADE)
 		island_wake(p, bodies.x, WAKE_WORLD);
 	if (p->sleep[bodies.y] && p->still[bodies.y] != STILL_MADE)
