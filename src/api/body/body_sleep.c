@@ -55,6 +55,7 @@ scree_status scree_world_set_box_awake(scree_world* world, scree_box box, bool a
 	const char* function = "scree_world_set_box_awake";
 	scree_query_results list;
 	TRY(world_check(world, function));
+	TRY(check_box(function, box));
 	own_queries_swap(world);
 	scree_status status = scree_world_overlap_box(world, box, &list);
 	own_queries_swap(world);
