@@ -102,8 +102,8 @@ static const Saved saved[] = {
     {"joint_slot", false},  {"spring_share", true},  {"heavy_chain", true},      {"strong_drag", true},
     {"slow_bounce", true},  {"heavy_joint", true},   {"tiny_report", true},      {"same_place", true},
     {"fast_body", true},    {"infinite_drag", true}, {"far_anchor", true},       {"heavy_link", true},
-    {"branch_pivot", true}, {"tiny_gap", true},      {"tiny_share", true},
-    {"moved_anchor", false}, {"woken_gap", false},
+    {"branch_pivot", true}, {"tiny_gap", true},      {"tiny_share", true},       {"moved_anchor", false},
+    {"woken_gap", false},
 };
 
 // Runs saved programs with several choices of reads, or with flushed denormals.

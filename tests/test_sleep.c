@@ -3,7 +3,7 @@
 //
 // Formula: an island sleeps after 0.5 s = 30 steps in which no point of it moved more than 0.05 m/s / 60 per step, in
 // the next step that searches islands; from then on its state has the same bits until something wakes it.
-#include "support/sleepers.h"
+#include "support/make_sleepers.h"
 #include <math.h>
 #include <string.h>
 
@@ -84,9 +84,9 @@ static void sleepers_stay_readable(void** state)
 		assert_int_equal(count, k == STACK - 1 ? 1 : 2);
 		double carried = 0.0;
 		for (int i = 0; i < STACK; ++i)
-			if (scree_body_equals(contacts[i].body_a, bodies[k]) ? contacts[i].normal.y < 0.0f
-			                                                     : scree_body_equals(contacts[i].body_b, bodies[k]) &&
-			                                                           contacts[i].normal.y > 0.0f)
+			if (scree_body_equals(contacts[i].body_a, bodies[k])
+			        ? contacts[i].normal.y < 0.0f
+			        : scree_body_equals(contacts[i].body_b, bodies[k]) && contacts[i].normal.y > 0.0f)
 				carried += contacts[i].points[0].normal_impulse + contacts[i].points[1].normal_impulse;
 		NEAR(carried, (STACK - k) * G * H, 0.02 * STACK * G * H);
 	}

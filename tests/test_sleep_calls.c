@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_sleep_calls.c -- checks the calls that wake bodies and put them to sleep, and the settings of sleep.
-#include "support/sleepers.h"
+#include "support/make_sleepers.h"
 
 static const bool no[STACK] = {false}, yes[STACK] = {true, true, true, true};
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_sleep_made.c -- checks bodies that are created asleep, and calls that must not wake bodies.
-#include "support/sleepers.h"
 #include "support/make_joints.h"
+#include "support/make_sleepers.h"
 
 // Bodies that are created asleep in the air stay there, without the velocity of their definition.
 static void expect_hanging(scree_world* world, const scree_body* bodies, int count, float x, float dx)
@@ -176,8 +176,8 @@ static void reads_and_zeros_wake_nothing(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(bodies_are_created_asleep), cmocka_unit_test(parts_are_added),
-	    cmocka_unit_test(slots_are_used_again),      cmocka_unit_test(touches_wake_new_bodies),
+	    cmocka_unit_test(bodies_are_created_asleep),    cmocka_unit_test(parts_are_added),
+	    cmocka_unit_test(slots_are_used_again),         cmocka_unit_test(touches_wake_new_bodies),
 	    cmocka_unit_test(reads_and_zeros_wake_nothing),
 	};
 	return RUN_SLEEPERS(tests);

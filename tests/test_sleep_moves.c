@@ -3,9 +3,9 @@
 //
 // Formula: hash(device, lanes, threads, step) = hash(cpu, 1, 1, step), for each step.
 #include "support/make_joints.h"
+#include "support/make_sleepers.h"
 #include "support/scenarios.h"
 #include "support/second_device.h"
-#include "support/sleepers.h"
 
 #define MOST 64
 

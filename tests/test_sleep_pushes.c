@@ -2,17 +2,26 @@
 // test_sleep_pushes.c -- checks that each call that changes a body or a joint wakes the island, and that joints drag
 // sleeping bodies.
 #include "support/make_joints.h"
-#include "support/sleepers.h"
+#include "support/make_sleepers.h"
 
 typedef void (*Push)(scree_world* world, scree_body body);
 
 static void force(scree_world* w, scree_body b) { OK(scree_body_apply_force(w, b, (scree_vec){1e-3f, 0})); }
-static void force_at(scree_world* w, scree_body b) { OK(scree_body_apply_force_at(w, b, (scree_vec){0, 1}, (scree_vec){0, 0})); }
+static void force_at(scree_world* w, scree_body b)
+{
+	OK(scree_body_apply_force_at(w, b, (scree_vec){0, 1}, (scree_vec){0, 0}));
+}
 static void torque(scree_world* w, scree_body b) { OK(scree_body_apply_torque(w, b, -1e-3f)); }
 static void impulse(scree_world* w, scree_body b) { OK(scree_body_apply_impulse(w, b, (scree_vec){0, 1e-6f})); }
-static void impulse_at(scree_world* w, scree_body b) { OK(scree_body_apply_impulse_at(w, b, (scree_vec){1, 0}, (scree_vec){0, 1})); }
+static void impulse_at(scree_world* w, scree_body b)
+{
+	OK(scree_body_apply_impulse_at(w, b, (scree_vec){1, 0}, (scree_vec){0, 1}));
+}
 static void spin_impulse(scree_world* w, scree_body b) { OK(scree_body_apply_angular_impulse(w, b, 1e-6f)); }
-static void velocity(scree_world* w, scree_body b) { OK(scree_body_set_velocity(w, b, (scree_velocity){{0, 0}, 1e-6f})); }
+static void velocity(scree_world* w, scree_body b)
+{
+	OK(scree_body_set_velocity(w, b, (scree_velocity){{0, 0}, 1e-6f}));
+}
 static void linear(scree_world* w, scree_body b) { OK(scree_body_set_linear_velocity(w, b, (scree_vec){1e-6f, 0})); }
 static void spin(scree_world* w, scree_body b) { OK(scree_body_set_angular_velocity(w, b, -1.0f)); }
 static void pose(scree_world* w, scree_body b) { OK(scree_body_set_pose(w, b, pose_of(w, b))); }
@@ -24,8 +33,14 @@ static void locks(scree_world* w, scree_body b) { OK(scree_body_set_locks(w, b, 
 static void disable(scree_world* w, scree_body b) { OK(scree_body_set_enabled(w, b, false)); }
 static void destroy(scree_world* w, scree_body b) { OK(scree_body_destroy(w, b)); }
 static void remove_part(scree_world* w, scree_body b) { OK(scree_collidable_destroy(w, collidable_of(w, b))); }
-static void dress(scree_world* w, scree_body b) { OK(scree_collidable_set_attribute(w, collidable_of(w, b), box_attribute(w, 0.4f, 0.4f))); }
-static void filter(scree_world* w, scree_body b) { OK(scree_collidable_set_filter(w, collidable_of(w, b), (scree_filter){1, 1, 1})); }
+static void dress(scree_world* w, scree_body b)
+{
+	OK(scree_collidable_set_attribute(w, collidable_of(w, b), box_attribute(w, 0.4f, 0.4f)));
+}
+static void filter(scree_world* w, scree_body b)
+{
+	OK(scree_collidable_set_filter(w, collidable_of(w, b), (scree_filter){1, 1, 1}));
+}
 static void join_world(scree_world* w, scree_body b) { join(w, SCREE_JOINT_WELD, NOBODY, b, 0.0f, 1.5f); }
 
 static void rub(scree_world* w, scree_body b)
@@ -46,10 +61,9 @@ static void add_part(scree_world* w, scree_body b)
 static void changes_wake_islands(void** state)
 {
 	(void)state;
-	const Push pushes[] = {force,  force_at, torque,  impulse,       impulse_at, spin_impulse, velocity,
-	                       linear, spin,     pose,    mass,          type,       damping,      gravity_scale,
-	                       locks,  disable,  destroy, remove_part,   dress,      filter,       rub,
-	                       add_part, join_world};
+	const Push pushes[] = {force,   force_at,    torque, impulse, impulse_at, spin_impulse,  velocity,  linear,
+	                       spin,    pose,        mass,   type,    damping,    gravity_scale, locks,     disable,
+	                       destroy, remove_part, dress,  filter,  rub,        add_part,      join_world};
 	for (size_t k = 0; k < sizeof pushes / sizeof pushes[0]; ++k)
 	{
 		scree_world* world = open_sleepers(-10.0f);
@@ -75,8 +89,8 @@ static void joints_drag_sleepers(void** state)
 	for (int how = 0; how < 4; ++how)
 	{
 		scree_world* world = open_sleepers(0.0f);
-		scree_body puller = add_shape(world, how < 3 ? SCREE_BODY_KINEMATIC : SCREE_BODY_DYNAMIC, circle_shape(0.5f), 0,
-		                              0, 0);
+		scree_body puller =
+		    add_shape(world, how < 3 ? SCREE_BODY_KINEMATIC : SCREE_BODY_DYNAMIC, circle_shape(0.5f), 0, 0, 0);
 		scree_body pulled = add_disc(world, 0.5f, 3.0f, 0.0f), far = add_disc(world, 0.5f, 3.0f, 9.0f);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, puller, pulled, 1.5f, 0.0f, 0.0f);
 		scree_joint joint = add_joint(world, &def);

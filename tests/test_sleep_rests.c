@@ -2,7 +2,7 @@
 // test_sleep_rests.c -- checks which bodies are at rest: those on belts, on moving platforms, in swings and in bounces
 // are not.
 #include "support/make_joints.h"
-#include "support/sleepers.h"
+#include "support/make_sleepers.h"
 #include <math.h>
 
 // A ball with restitution 1 falls from 1 m and keeps bouncing, even though it is slow near the top.
@@ -10,8 +10,8 @@ static void a_bouncing_ball_does_not_sleep(void** state)
 {
 	(void)state;
 	scree_world* world = open_sleepers(-10.0f);
-	scree_body ball = add_body(world, SCREE_BODY_DYNAMIC, add_surface(world, circle_shape(0.5f), 0.6f, 1.0f), 0.0f,
-	                           1.5f, 0.0f);
+	scree_body ball =
+	    add_body(world, SCREE_BODY_DYNAMIC, add_surface(world, circle_shape(0.5f), 0.6f, 1.0f), 0.0f, 1.5f, 0.0f);
 	float highest = 0.0f;
 	for (int k = 0; k < 600; ++k)
 	{
@@ -46,7 +46,8 @@ static void platforms_keep_boxes_awake(void** state)
 	{
 		scree_world* world = open_sleepers(-10.0f);
 		scree_body platform = add_box(world, SCREE_BODY_KINEMATIC, 3.0f, 0.5f, 0.0f, 2.0f);
-		scree_body box = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 3.0f), still = add_crate(world, SCREE_BODY_DYNAMIC, 9.0f, 0.5f);
+		scree_body box = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 3.0f),
+		           still = add_crate(world, SCREE_BODY_DYNAMIC, 9.0f, 0.5f);
 		scree_vec slow = across ? (scree_vec){0.01f, 0.0f} : (scree_vec){0.0f, 0.01f};
 		OK(scree_body_set_linear_velocity(world, platform, slow));
 		run_as_before(world, &box, 1, 300, true);
@@ -109,8 +110,10 @@ static void time_counts(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(a_bouncing_ball_does_not_sleep), cmocka_unit_test(a_box_on_a_belt_does_not_sleep),
-	    cmocka_unit_test(platforms_keep_boxes_awake),     cmocka_unit_test(motion_keeps_bodies_awake),
+	    cmocka_unit_test(a_bouncing_ball_does_not_sleep),
+	    cmocka_unit_test(a_box_on_a_belt_does_not_sleep),
+	    cmocka_unit_test(platforms_keep_boxes_awake),
+	    cmocka_unit_test(motion_keeps_bodies_awake),
 	    cmocka_unit_test(time_counts),
 	};
 	return RUN_SLEEPERS(tests);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_sleep_supports.c -- checks that a change of a support wakes what rests on it, in the next step, and nothing else.
-#include "support/sleepers.h"
+#include "support/make_sleepers.h"
 
 // Two stacks on two tables of 2 m at x = 0 and x = 10, whose surfaces are at y = 4. The floor is below.
 typedef struct

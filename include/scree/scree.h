@@ -858,7 +858,8 @@ SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body bo
 // they move. An island stays awake if a call has moved or woken any of its bodies since the last step, if it began to
 // touch something in the step, or if it contains a body with scree_body_def.stays_awake. Does nothing for static,
 // kinematic and disabled bodies, nor in a world that does not sleep.
-SCREE_API scree_status scree_bodies_set_awake(scree_world* world, const scree_body* bodies, const bool* awake, int count);
+SCREE_API scree_status scree_bodies_set_awake(scree_world* world, const scree_body* bodies, const bool* awake,
+                                              int count);
 // Wakes one body, or puts it to sleep, as above.
 SCREE_API scree_status scree_body_set_awake(scree_world* world, scree_body body, bool awake);
 // The same for all bodies with a collidable that overlaps a box, which is at least 2 mm wide and high.

@@ -101,14 +101,12 @@
 	{                                                                  \
 		{                                                              \
 			const GLOBAL Kind##Kept* kept = p->kind##_kept + slot;     \
-			KIND##_ROWS(ROW_HASH_SLOT)                                 \
-			(void)kept;                                                \
+			KIND##_ROWS(ROW_HASH_SLOT)(void) kept;                     \
 		}                                                              \
 		{                                                              \
 			const GLOBAL Kind##RareKept* kept;                         \
 			kept = p->kind##_rare_kept + slot;                         \
-			KIND##_RARE_ROWS(ROW_HASH_SLOT)                            \
-			(void)kept;                                                \
+			KIND##_RARE_ROWS(ROW_HASH_SLOT)(void) kept;                \
 		}                                                              \
 		return h;                                                      \
 	}

@@ -5,7 +5,8 @@
 #include "constraints/constraint_kinds.h"
 
 // Processes the impulses of one coordinate: X(impulse of the lock, impulses of spring, motor and limit).
-#define JOINT_KEPT(X, of) X(kept->impulse_##of, rare->of##_spring_impulse, rare->of##_motor_impulse, rare->of##_limit_impulse)
+#define JOINT_KEPT(X, of) \
+	X(kept->impulse_##of, rare->of##_spring_impulse, rare->of##_motor_impulse, rare->of##_limit_impulse)
 
 // Computes for each coordinate the sum of the impulses of lock, spring, motor and limit, as joint_sums.
 INLINE void joint_sums_asleep(const Pools* p, int slot, int modes, float sum[JOINT_COORDINATES])
@@ -13,10 +14,10 @@ INLINE void joint_sums_asleep(const Pools* p, int slot, int modes, float sum[JOI
 	const GLOBAL JointKept* kept = p->joint_kept + slot;
 	const GLOBAL JointRareKept* rare = p->joint_rare_kept + slot;
 	int k = 0;
-#define SUM(lock, spring, motor, limit)                          \
-	sum[k] = lock;                                               \
-	if (p->step.has_drives && modes & JOINT_HAS_DRIVES(k))       \
-		sum[k] = sum[k] + (spring + motor + limit);              \
+#define SUM(lock, spring, motor, limit)                    \
+	sum[k] = lock;                                         \
+	if (p->step.has_drives && modes & JOINT_HAS_DRIVES(k)) \
+		sum[k] = sum[k] + (spring + motor + limit);        \
 	++k;
 	JOINT_KEPT(SUM, along)
 	JOINT_KEPT(SUM, across)

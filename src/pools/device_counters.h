@@ -24,13 +24,13 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int alive;    // number of contacts, including those that the last step released
 	int touching; // number of touching contacts at the last layout, including spokes
 	KindLayout layout[CONSTRAINT_KINDS]; // places of the constraints of each kind
-	int woken;   // INT_MAX if some island is marked in the pool wake
+	int woken;                           // INT_MAX if some island is marked in the pool wake
 	int joined_islands; // 1 if a sleeping body began to touch another sleeping island, so that both become one
-	int movers;  // 1 if some body that does not sleep moved or may move in the last step, in a world that sleeps
-	int drowsy;  // 1 if some body has been at rest for SLEEP_TIME
-	int hubs;                            // number of hubs
-	int split;                           // number of spokes if some body is split into parts, else 0
-	int outliers[2]; // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
+	int movers;         // 1 if some body that does not sleep moved or may move in the last step, in a world that sleeps
+	int drowsy;         // 1 if some body has been at rest for SLEEP_TIME
+	int hubs;           // number of hubs
+	int split;          // number of spokes if some body is split into parts, else 0
+	int outliers[2];    // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
 	// Values of this step.
 	int updated_boxes; // number of collidables whose enlarged box changed
 	int changed;       // 1 if a constraint began or ended, so the constraints need a new layout

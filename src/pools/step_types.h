@@ -76,8 +76,8 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 	int round;            // some attribute has a radius
 	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE
 	int sleep;            // 1 if bodies may sleep
-	float sleep_threshold; // m/s: a body whose points all move slower than this is at rest
-	float continuous_way; // m: lower bound of ContinuousBody.way of all bodies
+	float sleep_threshold;  // m/s: a body whose points all move slower than this is at rest
+	float continuous_way;   // m: lower bound of ContinuousBody.way of all bodies
 	float continuous_reach; // m: upper bound of ContinuousBody.reach of all bodies
 	int collidables;        // number of collidable slots in use
 	int pair_capacity, contact_capacity;

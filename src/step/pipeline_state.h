@@ -63,18 +63,18 @@ typedef struct
 	uint8_t* member;       // for each slot of a collidable, bits of its trees; see tree_maintenance.c
 	int member_capacity;
 	RunList list;
-	Step step;             // constants of the last step with dt above 0; also argument of runs between steps
-	int used[PER_COUNT];   // for each PER_*: maximum number of items in use since `idle` was 0
-	int first_contacts;    // initial number of contact slots
-	int idle;              // number of steps since unused capacity was last checked
-	int sparse;            // number of consecutive steps in which most contact slots were unused
-	bool jumps;            // the user placed or created something since the last step, so boxes may jump
-	bool sleeps;           // some body may sleep, because bodies were allowed to sleep in the last step
-	bool settles;          // the user puts bodies to sleep, or created sleeping ones, since the last step with dt above 0
-	bool edited;           // the user has changed something since the last step with dt above 0
-	int quiet;             // number of successive steps without motion, at most QUIET_STEPS
-	bool rested;           // the last step was skipped because nothing moved
-	int64_t skipped;       // number of steps that were skipped because nothing moved
+	Step step;           // constants of the last step with dt above 0; also argument of runs between steps
+	int used[PER_COUNT]; // for each PER_*: maximum number of items in use since `idle` was 0
+	int first_contacts;  // initial number of contact slots
+	int idle;            // number of steps since unused capacity was last checked
+	int sparse;          // number of consecutive steps in which most contact slots were unused
+	bool jumps;          // the user placed or created something since the last step, so boxes may jump
+	bool sleeps;         // some body may sleep, because bodies were allowed to sleep in the last step
+	bool settles;        // the user puts bodies to sleep, or created sleeping ones, since the last step with dt above 0
+	bool edited;         // the user has changed something since the last step with dt above 0
+	int quiet;           // number of successive steps without motion, at most QUIET_STEPS
+	bool rested;         // the last step was skipped because nothing moved
+	int64_t skipped;     // number of steps that were skipped because nothing moved
 	bool surfaces_changed; // some collidable changed its attribute or its reported events since the last step
 	bool reports;          // some collidable has ever reported touches or hits
 	bool rules;            // some attribute is a one-way platform, or a pair of materials or an exclusion was set

@@ -2,7 +2,6 @@
 // check.c -- checks arguments, and composes their error messages.
 #include "world/check.h"
 #include "pools/pools.h"
-#include "world/shape/geometry.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -56,19 +55,6 @@ scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float 
 {
 	TRY(check_component(at, member, ".x", v.x, limit));
 	return check_component(at, member, ".y", v.y, limit);
-}
-
-scree_status check_box(const char* function, scree_box box)
-{
-	ArgumentPlace at = {function, "box", ALONE};
-	TRY(check_vec(at, ".lower", box.lower, SCREE_MAX_COORDINATE));
-	TRY(check_vec(at, ".upper", box.upper, SCREE_MAX_COORDINATE));
-	float half_x = 0.5f * (box.upper.x - box.lower.x), half_y = 0.5f * (box.upper.y - box.lower.y);
-	if (half_x >= SMALLEST_SIZE && half_y >= SMALLEST_SIZE)
-		return SCREE_OK;
-	return fail(SCREE_ERROR_INVALID, "%s: box from (%s, %s) to (%s, %s) is not %s m wide and high", function,
-	            decimal(box.lower.x).text, decimal(box.lower.y).text, decimal(box.upper.x).text,
-	            decimal(box.upper.y).text, decimal(2.0f * SMALLEST_SIZE).text);
 }
 
 scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose)

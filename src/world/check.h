@@ -42,9 +42,6 @@ scree_status check_real(ArgumentPlace at, const char* member, float x, float low
 // Checks that both components of a vector are from -limit to limit.
 scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 
-// Checks that the corners of a box are within SCREE_MAX_COORDINATE, and that it is at least 2 mm wide and high.
-scree_status check_box(const char* function, scree_box box);
-
 // Checks a pose: coordinates within SCREE_MAX_COORDINATE, and a rotation of length 1 +- 0.0005. Normalizes the rotation
 // only if the error of the length is above 2.5e-7, so setting a pose that was read does not change it.
 scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose);

@@ -95,8 +95,8 @@ typedef struct
 	Slots slots;
 	HostField* host; // per slot
 	int capacity;
-	bool stale;  // true: a field has changed since the last upload
-	int acting;  // number of active fields on the device
+	bool stale;   // true: a field has changed since the last upload
+	int acting;   // number of active fields on the device
 	bool carried; // true: some active field moves with a body
 	bool shapes;  // true: some active field acts on shapes, not only on centers of mass
 } Fields;

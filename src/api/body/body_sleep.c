@@ -9,6 +9,7 @@
 #include "world/objects/sleep.h"
 #include "world/own_queries.h"
 #include "world/pool_read.h"
+#include "world/shape/geometry.h"
 #include "world/upload/upload.h"
 #include "world/upload/whole_sleep.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // material.c -- sets and reads surface values of pairs of materials, which replace values mixed from two attributes.
 #include "platform/processor.h"
-#include "world/upload/whole_sleep.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/materials.h"
+#include "world/upload/whole_sleep.h"
 #include <math.h>
 
 void scree_material_pair_default_sized(scree_material_pair* pair, size_t size)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // exclusion.c -- adds, removes and lists pairs of bodies that never touch.
 #include "platform/processor.h"
-#include "world/failure.h"
 #include "world/edits.h"
+#include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/exclusions.h"
 #include "world/objects/handles.h"

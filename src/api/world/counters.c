@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // counters.c -- returns counters and timings of the last step.
 #include "platform/processor.h"
-#include "world/definition.h"
 #include "step/state_readback.h"
+#include "world/definition.h"
 #include "world/failure.h"
 #include "world/pool_read.h"
 #include "world/upload/upload.h"

@@ -30,8 +30,8 @@ INLINE void contact_report_write(const Pools* p, int i, int row)
 	else if (listed.flags & CONTACT_ASLEEP)
 	{
 		const GLOBAL ContactKept* kept = p->contact_kept + i;
-		listed.impulse = make_float4(kept->normal_impulse1, kept->normal_impulse2, kept->tangent_impulse1,
-		                             kept->tangent_impulse2);
+		listed.impulse =
+		    make_float4(kept->normal_impulse1, kept->normal_impulse2, kept->tangent_impulse1, kept->tangent_impulse2);
 	}
 	listed.detail = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	if (c >= 0 && p->step.details)

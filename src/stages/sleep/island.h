@@ -107,7 +107,8 @@ INLINE int joint_drives_bodies(const Pools* p, const GLOBAL JointData* data)
 	int modes = (int)data->modes, drives = 0;
 	float ratio = modes & JOINT_COUPLED ? absolute(data->gear_ratio) : 1.0f;
 	float turn_a = p->body[data->body_a].w, turn_b = p->body[data->body_b].w;
-	Vec apart = vec_sub(anchor_velocity(p, data->body_b, data->frame[1]), anchor_velocity(p, data->body_a, data->frame[0]));
+	Vec apart =
+	    vec_sub(anchor_velocity(p, data->body_b, data->frame[1]), anchor_velocity(p, data->body_a, data->frame[0]));
 	float slides = absolute(apart.x) + absolute(apart.y);
 	float turns = modes & JOINT_COUPLED ? absolute(turn_b) + ratio * absolute(turn_a) : absolute(turn_b - turn_a);
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
@@ -154,7 +155,10 @@ INLINE int island_bits(const Pools* p, int i)
 	return p->sleep_threshold[i] < 0.0f ? bits | ISLAND_RESTLESS | ISLAND_STIRRED : bits;
 }
 
-INLINE int body_takes_part(const Pools* p, int i) { return body_can_move(p, i) && p->stored_velocity[i].stored == 0.0f; }
+INLINE int body_takes_part(const Pools* p, int i)
+{
+	return body_can_move(p, i) && p->stored_velocity[i].stored == 0.0f;
+}
 
 KERNEL(island_gather)
 {

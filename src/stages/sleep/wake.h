@@ -61,19 +61,19 @@ KERNEL(body_wake)
 }
 
 // Ends the constraint of slot i, or begins it again, if its bodies fell asleep or woke.
-#define SLEEP_EDGE(kind, bodies, flags, ASLEEP, begins)     \
-	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y];   \
-	if (sleeps && p->kind##_color[i] != COLOR_NONE)         \
-	{                                                       \
-		if (p->kind##_place[i] >= 0)                        \
-			kind##_keep(p, i, p->kind##_place[i]);          \
-		kind##_leave(p, i);                                 \
-		p->kind##_flags[i] = flags | ASLEEP;                \
-	}                                                       \
-	else if (!sleeps && flags & ASLEEP)                     \
-	{                                                       \
-		p->kind##_flags[i] = flags & ~ASLEEP;               \
-		begins;                                             \
+#define SLEEP_EDGE(kind, bodies, flags, ASLEEP, begins)   \
+	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y]; \
+	if (sleeps && p->kind##_color[i] != COLOR_NONE)       \
+	{                                                     \
+		if (p->kind##_place[i] >= 0)                      \
+			kind##_keep(p, i, p->kind##_place[i]);        \
+		kind##_leave(p, i);                               \
+		p->kind##_flags[i] = flags | ASLEEP;              \
+	}                                                     \
+	else if (!sleeps && flags & ASLEEP)                   \
+	{                                                     \
+		p->kind##_flags[i] = flags & ~ASLEEP;             \
+		begins;                                           \
 	}
 
 KERNEL(contact_sleep)
@@ -119,10 +119,7 @@ KERNEL(set_awake)
 }
 
 // Writes to the pool island whether a body sleeps, and is not marked to wake.
-KERNEL(sleep_report)
-{
-	p->island[i] = body_sleeps_on(p, i);
-}
+KERNEL(sleep_report) { p->island[i] = body_sleeps_on(p, i); }
 
 // Item: a partial sum, over the items i, i + HASH_SUMS, i + 2 HASH_SUMS and so on, of the number of sleeping bodies and,
 // in the upper 32 bits, of touching contacts without a constraint. argument: number of bodies.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// sleepers.h -- makes worlds in which bodies sleep, and checks that a test has the same bits on each device.
-#ifndef SLEEPERS_H
-#define SLEEPERS_H
+// make_sleepers.h -- makes worlds in which bodies sleep, and checks that a test has the same bits on each device.
+#ifndef MAKE_SLEEPERS_H
+#define MAKE_SLEEPERS_H
 #include "support/make_bodies.h"
 
 #define STACK 4 // number of crates in a stack
@@ -29,11 +29,11 @@ int use_three_threads(void** state);
 int use_sleepers_on_opencl(void** state);
 
 // Runs tests on the CPU with one thread and one lane, on the CPU with 3 threads and all lanes, and on OpenCL.
-#define RUN_SLEEPERS(tests)                                                                                     \
-	(cmocka_run_group_tests_name("1 thread, 1 lane", tests, use_one_thread, memory_is_released) +               \
-	 cmocka_run_group_tests_name("3 threads", tests, use_three_threads, memory_is_released) +                   \
-	 (scree_opencl_hint()[0] == '\0'                                                                            \
-	      ? cmocka_run_group_tests_name("opencl", tests, use_sleepers_on_opencl, memory_is_released)            \
+#define RUN_SLEEPERS(tests)                                                                          \
+	(cmocka_run_group_tests_name("1 thread, 1 lane", tests, use_one_thread, memory_is_released) +    \
+	 cmocka_run_group_tests_name("3 threads", tests, use_three_threads, memory_is_released) +        \
+	 (scree_opencl_hint()[0] == '\0'                                                                 \
+	      ? cmocka_run_group_tests_name("opencl", tests, use_sleepers_on_opencl, memory_is_released) \
 	      : 0))
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sleepers.c -- makes worlds in which bodies sleep, and checks that a test has the same bits on each device.
-#include "support/sleepers.h"
+// make_sleepers.c -- makes worlds in which bodies sleep, and checks that a test has the same bits on each device.
+#include "support/make_sleepers.h"
 
 #define MOST_WORLDS 256
 
