@@ -51,6 +51,13 @@ INLINE void island_wake_parted(const Pools* p, Int2 bodies, Word flags)
 		island_wake(p, bodies.y, WAKE_WORLD);
 }
 
+// Wakes the island of a body that the user destroys.
+INLINE void body_gone_wake(const Pools* p, int i)
+{
+	if (p->sleep[i] && p->still[i] != STILL_MADE)
+		island_wake(p, i, WAKE_USER);
+}
+
 // Ends the sleep of a body.
 INLINE void body_rise(const Pools* p, int i)
 {

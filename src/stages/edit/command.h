@@ -137,9 +137,10 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = 0.0f;
 }
 
-// Initializes a new body at rest, without mass, forces or locks. pose: pose of the center of mass.
+// Destroys a body, or initializes a new body at rest, without mass, forces or locks. pose: pose of the center of mass.
 INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 {
+	body_gone_wake(p, i);
 	item_clear(p, PER_BODY, i);
 	p->reported_pose[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	p->pose[i] = pose;

@@ -118,6 +118,9 @@ KERNEL(set_awake)
 		p->still[i] = STILL_FORCED;
 }
 
+// Item: a body that the user destroys, before its row is cleared.
+KERNEL(body_gone) { body_gone_wake(p, i); }
+
 // Writes to the pool island whether a body sleeps, and is not marked to wake.
 KERNEL(sleep_report) { p->island[i] = body_sleeps_on(p, i); }
 
