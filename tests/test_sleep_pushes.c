@@ -73,10 +73,13 @@ static void changes_wake_islands(void** state)
 		run_to_sleep(world, bodies, STACK);
 		run_to_sleep(world, other, STACK);
 		pushes[k](world, bodies[1]);
-		run_steps(world, 1);
-		for (int i = 0; i < STACK; ++i)
-			if (i != 1 && !is_awake(world, bodies[i]))
-				fail_msg("change %d does not wake body %d", (int)k, i);
+		for (int step = 0; step < 2; ++step) // the bodies count as awake at once
+		{
+			for (int i = 0; i < STACK; ++i)
+				if (i != 1 && !is_awake(world, bodies[i]))
+					fail_msg("change %d does not wake body %d", (int)k, i);
+			run_steps(world, 1);
+		}
 		expect_awake(world, other, STACK, false);
 		close_sleepers(world);
 	}
