@@ -28,10 +28,15 @@ void set_asleep(Maker* m, Call* call)
 
 float step_length(Maker* m) { return PICK(m, 1.0f / 60.0f, 1.0f / 30.0f, 0.05f, 0.1f, 0.1f, 0.25f, 0.5f); }
 
-// Adds steps whose lengths sum to 0.5 s or more, the time of rest after which bodies fall asleep.
+// Adds steps whose lengths sum to 0.5 s or more, the time of rest after which bodies fall asleep. In some of these
+// sequences the whole world sleeps from the first step on, so that the last steps are skipped.
 static void put_rest(Maker* m)
 {
-	Call call = call_make(CALL_step);
+	Call call = call_make(CALL_awake_world);
+	call_set(&call, "awake", 0.0f);
+	if (chance(m, 0.4))
+		put(m, call);
+	call = call_make(CALL_step);
 	call_set(&call, "dt", PICK(m, 0.05f, 0.1f, 0.1f, 0.25f, 0.5f));
 	for (int k = 5 + below(m, 6); k > 0; --k)
 		put(m, call);
