@@ -65,7 +65,9 @@ typedef struct // first device of a world, and device to which the call "move" m
 	char device[128], other[128];
 	int threads, lanes;
 	bool flush; // true: its devices flush denormals to 0 (backend/arithmetic.h)
-	bool reads; // true: between calls the world is read, and moved to the device that it is on
+	// true: between calls the world is read, and moved to the device that it is on; it skips no steps in which nothing
+	// moves
+	bool reads;
 } Place;
 
 // number of values of Pair.first_read; each value selects other reads for the same calls
