@@ -307,6 +307,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 			sleepers_count(&sleepers, pair->worlds[0], &outcome.slept, &outcome.woke);
 			bool good = (pair->infinite || state_finite(pair->worlds[0], outcome.sentence)) &&
 			            state_colored(pair->worlds[0], outcome.sentence) &&
+			            state_sleeps(pair->worlds[0], outcome.sentence) &&
 			            (!pair->limits || state_limited(pair->worlds[0], outcome.sentence));
 			differs = outcome.differs = !good;
 		}
