@@ -119,6 +119,24 @@ static void touches_wake_new_bodies(void** state)
 	close_sleepers(world);
 }
 
+// Bodies that are created asleep wake if sleep is turned off before the next step.
+static void sleep_is_turned_off(void** state)
+{
+	(void)state;
+	scree_world* world = open_sleepers(-10.0f);
+	scree_body_def def = crate_def(world, SCREE_BODY_DYNAMIC, 0.0f, 5.0f);
+	def.asleep = true;
+	scree_body body = create_body(world, &def);
+	scree_tuning tuning;
+	OK(scree_world_get_tuning(world, &tuning));
+	tuning.sleep = false;
+	OK(scree_world_set_tuning(world, &tuning));
+	assert_true(is_awake(world, body));
+	run_steps(world, 1);
+	NEAR(velocity_of(world, body).linear.y, -G * STEP, 1e-6);
+	close_sleepers(world);
+}
+
 static void read_all(scree_world* world, scree_body body)
 {
 	scree_contact contacts[32];
@@ -178,7 +196,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(bodies_are_created_asleep),    cmocka_unit_test(parts_are_added),
 	    cmocka_unit_test(slots_are_used_again),         cmocka_unit_test(touches_wake_new_bodies),
-	    cmocka_unit_test(reads_and_zeros_wake_nothing),
+	    cmocka_unit_test(reads_and_zeros_wake_nothing), cmocka_unit_test(sleep_is_turned_off),
 	};
 	return RUN_SLEEPERS(tests);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check_sleep.c -- checks that bodies that touch or are joined sleep together, and that constraints fit their sleep.
+// check_sleep.c -- checks that joined bodies sleep together, and that only constraints of awake bodies are solved.
 #include "programs/program.h"
 #include "world/world.h"
 #include <stdlib.h>
@@ -14,21 +14,22 @@ typedef struct // pools of a world
 
 static bool moves(const BodyState* body) { return body->vx != 0.0f || body->vy != 0.0f || body->w != 0.0f; }
 
-// Checks a constraint that acts. asleep: its flag; color: COLOR_NONE if it is not solved.
+// Checks a constraint that acts. asleep: its flag; color: COLOR_NONE if it is not solved. Two islands that begin to touch
+// while both sleep are united later; if one wakes before, the contact wakes the other when its bodies have moved.
 static bool constraint_fits(const Sleep* s, const char* kind, int k, Int2 pair, bool asleep, int color,
                             char sentence[256])
 {
 	const BodyState *a = s->bodies + pair.x, *b = s->bodies + pair.y;
-	bool sleep_a = s->sleep[pair.x] != 0, sleep_b = s->sleep[pair.y] != 0,
-	     both = a->inv_mass > 0.0f && b->inv_mass > 0.0f;
+	bool sleep_a = s->sleep[pair.x] != 0, sleep_b = s->sleep[pair.y] != 0, joint = kind[0] == 'j';
+	bool both = a->inv_mass > 0.0f && b->inv_mass > 0.0f;
 	const char* fault = NULL;
-	if (both && sleep_a != sleep_b)
+	if (both && joint && sleep_a != sleep_b)
 		fault = "one of them sleeps";
 	else if ((sleep_a || sleep_b) != asleep)
 		fault = asleep ? "it counts as asleep, and no body sleeps" : "a body sleeps, and it counts as awake";
 	else if (asleep == (color != COLOR_NONE))
-		fault = asleep ? "they sleep, and it is solved" : "they are awake, and it is not solved";
-	else if (asleep && (moves(a) || moves(b)))
+		fault = asleep ? "a body sleeps, and it is solved" : "they are awake, and it is not solved";
+	else if (asleep && !both && (moves(a) || moves(b)))
 		fault = "one of them moves, and one sleeps";
 	if (fault)
 		snprintf(sentence, 256, "%s %d of bodies %d and %d: %s", kind, k, pair.x, pair.y, fault);

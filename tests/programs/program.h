@@ -130,8 +130,8 @@ typedef struct
 void sleepers_count(Sleepers* sleepers, scree_world* world, int* slept, int* woke);
 void sleepers_close(Sleepers* sleepers);
 
-// check_sleep.c: returns whether bodies that touch or are joined sleep together, and only awake ones are solved. If not,
-// sentence gets the first fault.
+// check_sleep.c: returns whether joined bodies sleep together, and the constraints of awake bodies only are solved. If
+// not, sentence gets the first fault.
 bool state_sleeps(scree_world* world, char sentence[256]);
 
 // coloring.c: returns whether colors, counts and hubs are consistent. If not, sentence gets the first fault.
