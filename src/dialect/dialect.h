@@ -68,8 +68,8 @@
 
 // Macros that define kernels, in opencl_words.h and c_words.h.
 // KERNEL(name) { ... }: the code for item i of the pools p. WIDE_KERNEL(name): the code for items i to i + LANES - 1.
-// LIST_KERNEL(name, list, length) { ... }: a kernel that appends the items for which it returns 1 to a list of the
-// pools, in any order. A CPU worker advances the length once per CHUNK_ITEMS items: with 16 workers, an atomic addition
+// LIST_KERNEL(name, list, length) { ... }: a kernel that appends the items that it returns, which are not negative, to a
+// list of the pools, in any order. A CPU worker advances the length once per CHUNK_ITEMS items: with 16 workers, an atomic addition
 // per item took half of a step.
 // GROUP_KERNEL(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of
 // local memory, bench. A work-item processes every group_width()-th part of the item from part group_lane() on. On a

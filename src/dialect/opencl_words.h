@@ -171,8 +171,9 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 	INLINE int name##_listed(const Pools* p, int i);              \
 	KERNEL(name)                                                  \
 	{                                                             \
-		if (name##_listed(p, i))                                  \
-			p->list[atomic_add_int(&p->counters->length, 1)] = i; \
+		int item = name##_listed(p, i);                           \
+		if (item >= 0)                                            \
+			p->list[atomic_add_int(&p->counters->length, 1)] = item; \
 	}                                                             \
 	INLINE int name##_listed(const Pools* p, int i)
 #define GROUP_KERNEL(name)                                                                            \

@@ -26,6 +26,9 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	KindLayout layout[CONSTRAINT_KINDS]; // places of the constraints of each kind
 	int woken;                           // INT_MAX if some island is marked in the pool wake
 	int joined_islands; // 1 if a sleeping body began to touch another sleeping island, so that both become one
+	int active_items[GROUP_KINDS]; // for each kind: GROUP_ITEMS times the number of groups that are not skipped
+	int relist[GROUP_KINDS];       // for each kind: INT_MAX if the list of these groups must be sorted again, else 0
+	int touched; // INT_MAX if the user changed a sleeping body or a collidable, so that any contact may change, else 0
 	int movers;         // 1 if some body that does not sleep moved or may move in the last step, in a world that sleeps
 	int drowsy;         // 1 if some body has been at rest for SLEEP_TIME
 	int hubs;           // number of hubs
@@ -51,6 +54,9 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int live;         // number of contact slots that the narrow phase processes; 0 if `stalled` is 1
 	int look;         // same as `live` if some contact has CONTACT_LOOK, else 0
 	int shifted;      // INT_MAX if a static or kinematic collidable began to move, else 0
+	int search_all;   // 1 if the search for islands visits all bodies and constraints, 0 if it visits the active groups
+	int search_bodies, search_contacts; // numbers of bodies and of contacts that the search visits
+	int kept_bodies;  // number of bodies to visit while `kept` is not 0, else 0
 	int searching;    // INT_MAX in a step that searches islands, else 0
 	int waking;       // INT_MAX if islands wake without a search, else 0
 	int marked;       // INT_MAX if marks in the pool wake must be cleared at the end of the step, else 0

@@ -12,6 +12,9 @@ typedef enum // kind of the items of a pool
 	PER_##KIND, PER_##KIND##_PLACE, PER_##KIND##_BLOCK, // edge; place of the rows of a constraint; block of places
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
+	PER_BODY_GROUP,       // GROUP_ITEMS adjacent bodies
+	PER_COLLIDABLE_GROUP, // GROUP_ITEMS adjacent collidables
+	PER_CONTACT_GROUP,    // GROUP_ITEMS adjacent contacts
 	PER_EDGE,           // edge of any kind
 	PER_JOINED,         // pair of bodies that never touch
 	PER_EXCLUDED,       // pair of bodies that the user keeps from touching

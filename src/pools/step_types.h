@@ -90,6 +90,12 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 
 #define STEP_RARE(step) ((step).has_rolling | (step).details) // not 0 if the rare rows of contacts are used
 
+// Kinds of items whose groups a step may skip, in a world that sleeps.
+#define GROUPS_OF_BODIES      0
+#define GROUPS_OF_COLLIDABLES 1
+#define GROUPS_OF_CONTACTS    2
+#define GROUP_KINDS           3
+
 typedef struct // one entry of a run list, which a backend executes in order
 {
 	int kernel_id;  // KERNEL_* or PRIMITIVE_*

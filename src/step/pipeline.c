@@ -142,7 +142,8 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // true: no solve, or other runs before it
 	bool early = pipeline->backend->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
-	TRY(list_transform(pipeline, step));
+	pipeline->skips = step->sleep;
+	TRY(list_transform(pipeline, step, bodies));
 	for (;; early = false)
 	{
 		list_broad_phase(pipeline, step, bodies);
@@ -171,6 +172,8 @@ static scree_status count_trees(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
+static int larger(int a, int b) { return a > b ? a : b; }
+
 // Reserves memory first, so that no lack of memory interrupts the step; then uploads the data that the stages read.
 static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 {
@@ -179,6 +182,8 @@ static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 	TRY(tree_upload(pipeline));
 	TRY(kinematics_upload(pipeline, request));
 	TRY(events_reserve(pipeline, request));
+	if (request->sleep) // for the scan of the groups of bodies and of collidables
+		TRY(pipeline_reserve(pipeline, PER_CONTACT, larger(request->bodies, request->collidables) / GROUP_ITEMS + 3));
 	if (request->field_shapes)
 		TRY(pipeline_reserve(pipeline, PER_FIELD_SHAPE, request->collidables));
 	if (pairs == 0)
@@ -193,8 +198,8 @@ static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
 {
 	bool same = request->dt == 0.0f || pipeline->counters.joints == 0 ||
 	            request->dt / (float)request->substeps == pipeline->step.h;
-	return pipeline->quiet >= QUIET_STEPS && !pipeline->edited && request->sleep && request->commands.count == 0 &&
-	       !pipeline->asks && same;
+	return pipeline->quiet >= QUIET_STEPS && !pipeline->edited && !pipeline->counters.joined_islands &&
+	       request->sleep && request->commands.count == 0 && !pipeline->asks && same;
 }
 
 // Ends a step that changes nothing, without the device.

@@ -40,11 +40,63 @@ static void tree_refit_all(RunList* list, const Tree* tree, int t)
 	tree_order(list, tree, t, COUNT(order) + t);
 }
 
-scree_status list_transform(Pipeline* pipeline, const Step* step)
+static int group_items(int items) { return (items + GROUP_ITEMS - 1) / GROUP_ITEMS * GROUP_ITEMS; }
+
+// Returns the counter of the items of a kind that a kernel visits; NO_COUNT in a world that does not sleep.
+static int visits(const Step* step, int kind) { return step->sleep ? COUNT(active_items) + kind : NO_COUNT; }
+
+static const Per group_pers[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT};
+
+static int group_count(const Backend* b, int kind) { return b->capacity[group_pers[kind]] / GROUP_ITEMS; }
+
+// Lists the runs that make all groups of items active, in the first step of a world that sleeps.
+static void list_all_groups(Pipeline* pipeline, const Step* step, int bodies)
+{
+	const int items[GROUP_KINDS] = {bodies, step->collidables, 0};
+	for (int kind = 0; kind < GROUP_KINDS; ++kind)
+		runs_add(&pipeline->list, KERNEL_group_reset, 0, group_count(pipeline->backend, kind), NO_COUNT,
+		         RUN_PAIR(kind, items[kind]));
+}
+
+void list_packed_groups(Pipeline* pipeline)
+{
+	runs_add(&pipeline->list, KERNEL_group_reset, 0, group_count(pipeline->backend, GROUPS_OF_CONTACTS), NO_COUNT,
+	         RUN_PAIR(GROUPS_OF_CONTACTS, 0));
+}
+
+// Lists the runs that sort the active groups of a kind, if the list changed.
+static void list_group_order(Pipeline* pipeline, int kind)
+{
+	RunList* list = &pipeline->list;
+	int groups = group_count(pipeline->backend, kind), count = COUNT(relist) + kind;
+	runs_add(list, KERNEL_group_mark, 0, groups + 1, count, RUN_PAIR(kind, groups));
+	runs_add(list, PRIMITIVE_SCAN, 0, groups + 1, count, 0);
+	runs_add(list, KERNEL_group_order, 0, groups + 1, count, RUN_PAIR(kind, groups));
+	runs_add(list, KERNEL_group_ordered, 0, 1, count, kind);
+}
+
+// Lists the runs that find the groups that later steps skip.
+static void list_group_search(Pipeline* pipeline)
+{
+	RunList* list = &pipeline->list;
+	for (int kind = 0; kind < GROUP_KINDS; ++kind)
+	{
+		int items = group_count(pipeline->backend, kind) * GROUP_ITEMS, count = COUNT(active_items) + kind;
+		runs_add(list, KERNEL_group_sink, 0, items, count, kind);
+		runs_add(list, KERNEL_group_keep, 0, items, count, kind);
+		runs_add(list, KERNEL_group_check, 0, items, count, kind);
+		if (kind != GROUPS_OF_CONTACTS) // list_sleep sorts the groups of contacts in every step
+			list_group_order(pipeline, kind);
+	}
+}
+
+scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
 	runs_add_single(list, KERNEL_step_begin);
-	runs_add(list, KERNEL_transform, 0, step->collidables, NO_COUNT, 0);
+	if (step->sleep && !pipeline->sleeps)
+		list_all_groups(pipeline, step, bodies);
+	runs_add(list, KERNEL_transform, 0, group_items(step->collidables), visits(step, GROUPS_OF_COLLIDABLES), 0);
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
@@ -122,6 +174,11 @@ static void list_approvals(RunList* list, const Step* step, int bodies, bool pla
 void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
+	if (step->sleep)
+	{
+		runs_add(list, KERNEL_contact_touch, 0, step->contact_capacity, COUNT(touched), 0);
+		runs_add(list, KERNEL_contact_touch, 0, step->contact_capacity, COUNT(shifted), 0);
+	}
 	if (pipeline->platforms)
 	{
 		runs_add(list, KERNEL_sunk_begin, 0, bodies, NO_COUNT, 0);
@@ -131,7 +188,8 @@ void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, KERNEL_contact_rule, 0, step->contact_capacity, COUNT(live), 0);
 	if (pipeline->reports)
 		runs_add(list, KERNEL_touch_part, 0, step->contact_capacity, COUNT(live), 0);
-	runs_add(list, KERNEL_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
+	int keeps = step->sleep ? visits(step, GROUPS_OF_CONTACTS) : COUNT(live);
+	runs_add(list, KERNEL_narrow_phase_keep, 0, step->contact_capacity, keeps, 0);
 	runs_add(list, KERNEL_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
 	if (step->asks || pipeline->platforms)
 		list_approvals(list, step, bodies, pipeline->platforms);
@@ -150,7 +208,7 @@ static void list_field_boxes(Pipeline* pipeline, const StepRequest* request, int
 void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request)
 {
 	RunList* list = &pipeline->list;
-	int contacts = step->contact_capacity, joints = pipeline->counters.joints, bodies = request->bodies;
+	int contacts = step->contact_capacity, joints = pipeline->counters.joints, bodies = group_items(request->bodies);
 	bool due = pipeline->steps % SLEEP_STEPS == 0;
 	int search = pipeline->settles ? SEARCH_NOW : due ? SEARCH_DROWSY : SEARCH_NEVER;
 	search = request->sleep && step->dt > 0.0f ? search : SEARCH_NEVER;
@@ -167,12 +225,12 @@ void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request
 	runs_add(list, KERNEL_sleep_begin, 0, 1, NO_COUNT, search);
 	if (search != SEARCH_NEVER)
 	{
-		runs_add(list, KERNEL_island_begin, 0, bodies, COUNT(searching), 0);
-		runs_add(list, KERNEL_contact_link, 0, contacts, COUNT(searching), 0);
+		runs_add(list, KERNEL_island_begin, 0, bodies, COUNT(search_bodies), 0);
+		runs_add(list, KERNEL_contact_link, 0, contacts, COUNT(search_contacts), 0);
 		if (joints > 0)
 			runs_add(list, KERNEL_joint_link, 0, joints, COUNT(searching), 0);
-		runs_add(list, KERNEL_island_gather, 0, bodies, COUNT(searching), 0);
-		runs_add(list, KERNEL_island_end, 0, bodies, COUNT(searching), 0);
+		runs_add(list, KERNEL_island_gather, 0, bodies, COUNT(search_bodies), 0);
+		runs_add(list, KERNEL_island_end, 0, bodies, COUNT(search_bodies), 0);
 	}
 	runs_add(list, KERNEL_body_wake, 0, bodies, COUNT(waking), 0);
 	runs_add(list, KERNEL_contact_sleep, 0, contacts, COUNT(settling), 0);
@@ -181,6 +239,9 @@ void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request
 	if (joints > 0 && step->h_ratio != 1.0f)
 		runs_add(list, KERNEL_joint_rescale, 0, joints, NO_COUNT, 0);
 	runs_add(list, KERNEL_sleep_end, 0, bodies, COUNT(marked), 0);
+	if (due)
+		list_group_search(pipeline);
+	list_group_order(pipeline, GROUPS_OF_CONTACTS);
 }
 
 static void list_joint_constraints(RunList* list, int joints)
@@ -243,6 +304,8 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to)
 	// each layout may move the rows of joints
 	if (pipeline->paths || pipeline->couplings)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
+	if (pipeline->skips)
+		runs_add_single(list, KERNEL_solve_bound);
 }
 
 // Number of contacts by which a press spreads per step. With 1 instead of 2, a press of 1 m/s moves 5 capsules in a row
@@ -264,12 +327,14 @@ void list_presses(Pipeline* pipeline, int bodies, bool may_wait)
 	}
 }
 
-void list_fields(Pipeline* pipeline, const StepRequest* request, int bound)
+void list_fields(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
 {
 	RunList* list = &pipeline->list;
 	int fields = request->fields;
 	list_field_boxes(pipeline, request, bound);
 	if (request->field_shapes)
-		runs_add(list, KERNEL_field_shape, 0, request->collidables, bound, fields);
-	runs_add(list, KERNEL_field_body, 0, request->bodies, bound, RUN_PAIR(request->field_shapes, fields));
+		runs_add(list, KERNEL_field_shape, 0, group_items(request->collidables),
+		         bound == NO_COUNT ? visits(step, GROUPS_OF_COLLIDABLES) : bound, fields);
+	int visited = bound == NO_COUNT ? visits(step, GROUPS_OF_BODIES) : step->sleep ? COUNT(kept_bodies) : bound;
+	runs_add(list, KERNEL_field_body, 0, group_items(request->bodies), visited, RUN_PAIR(request->field_shapes, fields));
 }

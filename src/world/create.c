@@ -52,6 +52,7 @@ void world_destroy(scree_world* world)
 	exclusions_close(world);
 	sensors_close(world);
 	scree_release(world->moved);
+	scree_release(world->touched.keys);
 	close_queries(&world->queries);
 	close_queries(&world->own_queries);
 	scree_release(world->attributes);

@@ -207,6 +207,13 @@ typedef struct // the checked shape of the last queries, and the query results o
 	int capacity, query_capacity, first_capacity;
 } Queries;
 
+typedef struct // groups of items that the user changed since the last upload
+{
+	Word64* keys; // per group: the kind and, in the lower 32 bits, its number
+	int count, capacity;
+	int last[GROUP_KINDS]; // for each kind: 1 + number of the last group that was added
+} Touched;
+
 struct scree_world
 {
 	scree_world_def def;
@@ -249,6 +256,7 @@ struct scree_world
 	char* moved; // rows of the last scree_world_get_moved_bodies
 	int moved_capacity;
 	IdleBlocks idle[ACTIVE_KINDS];
+	Touched touched;
 	Pipeline pipeline;
 	size_t shared[SHARED_USES]; // bytes of the memory that is shared for each use; 0 while no memory is shared
 	AutoDevice auto_device;

@@ -107,6 +107,8 @@ KERNEL(contact_create)
 	b = pair.y;
 	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
 	item_clear(p, PER_CONTACT, slot);
+	if (p->step.sleep)
+		active_touch(p, GROUPS_OF_CONTACTS, slot);
 	p->pair[slot] = pair;
 	Int2 bodies = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
 	Word flags = CONTACT_FRESH | touch_reports(p, pair) | contact_parts(p, pair);

@@ -3,6 +3,7 @@
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "dialect/vec.h"
+#include "stages/edit/active.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
@@ -145,6 +146,7 @@ INLINE int transform_shifts(const Pools* p, int i, Float4 box, WorldShape now)
 // Updates world poses and boxes. Lists the collidables that left their enlarged boxes; new ones had an empty box.
 LIST_KERNEL(transform, updated_list, updated_boxes)
 {
+	i = active_item(p, GROUPS_OF_COLLIDABLES, i);
 	Float4 box = p->box[i];
 	int moved = p->collidable_flags[i];
 	if (p->collidable_kind[i] == KIND_DEAD)
@@ -152,7 +154,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 		// an empty box ends the contacts of the collidable
 		p->collidable_flags[i] = COLLIDABLE_NEW_BOX;
 		p->box[i] = box_empty();
-		return 0;
+		return -1;
 	}
 
 	// treats a collidable without a body as part of body 0, the motionless ground
@@ -197,7 +199,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 			p->old_box[i] = box;
 		if (moved != how)
 			p->collidable_flags[i] = how;
-		return 0;
+		return -1;
 	}
 	Float4 grown = box_grow(tight, margin);
 	p->old_box[i] = box;
@@ -207,7 +209,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	// the old box covers the motion of the last step; if the new box does not overlap it, the user moved the collidable
 	if (!box_overlap(box, grown))
 		raise_int(&p->counters->jumped, 0x7fffffff);
-	return 1;
+	return i;
 }
 
 // Restores the old boxes after a step that stopped before it found all contacts, so that the next step finds them.

@@ -341,6 +341,7 @@ INLINE void command_stir(const Pools* p, int i, int joined)
 	{
 		island_wake(p, i, WAKE_USER);
 		body_rise(p, i);
+		raise_int(&p->counters->touched, 0x7fffffff);
 	}
 	else if (joined)
 		raise_int(&p->counters->woken, 0x7fffffff);

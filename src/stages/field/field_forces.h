@@ -125,6 +125,7 @@ KERNEL(field_wake)
 // Adds the forces of fields on body i to the user's forces. argument: 1 if fields act on shapes, and number of fields.
 KERNEL(field_body)
 {
+	i = active_item(p, GROUPS_OF_BODIES, i);
 	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f || p->sleep[i])
 		return;
 	FieldForce sum = field_nothing();

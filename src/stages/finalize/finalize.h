@@ -2,6 +2,7 @@
 // finalize.h -- adds the step's motion to the poses; freezes and counts bodies whose state is not finite.
 #ifndef FINALIZE_H
 #define FINALIZE_H
+#include "stages/edit/active.h"
 #include "stages/finalize/continuous.h"
 #include "stages/geometry/pose.h"
 #include "stages/solve/press.h"
@@ -71,7 +72,7 @@ INLINE void finalize_awake(const Pools* p, int i, int dynamic, Vec d, float da)
 		raise_int(&p->counters->drowsy, 1);
 }
 
-KERNEL(finalize)
+INLINE void finalize_body(const Pools* p, int i)
 {
 	GLOBAL BodyState* body = p->body + i;
 	Motion motion = p->motion[i];
@@ -118,6 +119,8 @@ KERNEL(finalize)
 		p->motion[i].torque = 0.0f;
 	}
 }
+
+KERNEL(finalize) { finalize_body(p, active_item(p, GROUPS_OF_BODIES, i)); }
 
 // Item: a part of a body that moves far, or a pressed body. Moves the body until something obstructs it. A pressed body
 // then slides along the obstacle and completes its rotation, or only slides. A body of one part slides too if the world

@@ -297,6 +297,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 
 KERNEL(narrow_phase)
 {
+	i = active_item(p, GROUPS_OF_CONTACTS, i);
 	int soon = i + NARROW_PHASE_SOON;
 	if (FETCHES && p->step.collidables >= FETCH_COLLIDABLES && soon < p->counters->live &&
 	    soon / CHUNK_ITEMS == i / CHUNK_ITEMS && p->contact_flags[soon] & CONTACT_LOOK)

@@ -27,8 +27,9 @@ INLINE Float4 reported_origin(const Pools* p, int i)
 LIST_KERNEL(moved_mark, moved_bodies, moved_bodies)
 {
 	Float4 now = reported_origin(p, i), then = p->reported_pose[i];
-	return now.x != then.x || now.y != then.y || now.z != then.z || now.w != then.w ||
-	       body_sleeps_on(p, i) != p->reported_sleep[i];
+	int moved = now.x != then.x || now.y != then.y || now.z != then.z || now.w != then.w ||
+	            body_sleeps_on(p, i) != p->reported_sleep[i];
+	return moved ? i : -1;
 }
 
 KERNEL(moved_key) { p->key[i] = (Word64)p->moved_bodies[i]; }

@@ -11,6 +11,7 @@
 #ifndef ISLAND_H
 #define ISLAND_H
 #include "stages/color/edge.h"
+#include "stages/edit/active.h"
 #include "stages/edit/asleep.h"
 
 INLINE int body_can_move(const Pools* p, int i) { return p->body[i].inv_mass > 0.0f; }
@@ -73,8 +74,18 @@ INLINE void island_link(const Pools* p, Int2 bodies, int moves, int anew)
 		island_unite(p, bodies.x, bodies.y);
 }
 
+// Returns the item that a search visits as number i. Unless islands wake or are joined, a search visits only active
+// groups, and of these only awake bodies: no awake body touches a sleeping one.
+INLINE int search_item(const Pools* p, int kind, int i)
+{
+	return p->counters->search_all ? i : listed_item(p, kind, i);
+}
+
+INLINE int search_visits(const Pools* p, int body) { return p->counters->search_all || p->sleep[body] == 0; }
+
 KERNEL(island_begin)
 {
+	i = search_item(p, GROUPS_OF_BODIES, i);
 	int island = body_island(p, i);
 	p->island[i] = island < 0 ? i : island;
 	p->island_state[i] = 0;
@@ -82,12 +93,15 @@ KERNEL(island_begin)
 
 KERNEL(contact_link)
 {
+	i = search_item(p, GROUPS_OF_CONTACTS, i);
 	Word flags = p->contact_flags[i];
 	if (i >= p->counters->live || (flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
 		return;
-	Int2 pair = p->pair[i];
+	Int2 pair = p->pair[i], bodies = p->contact_bodies[i];
+	if (!search_visits(p, bodies.x) || !search_visits(p, bodies.y))
+		return;
 	int shifted = (p->collidable_flags[pair.x] | p->collidable_flags[pair.y]) & COLLIDABLE_SHIFTED;
-	island_link(p, p->contact_bodies[i], shifted, p->contact_color[i] == COLOR_NONE && !(flags & CONTACT_ASLEEP));
+	island_link(p, bodies, shifted, p->contact_color[i] == COLOR_NONE && !(flags & CONTACT_ASLEEP));
 }
 
 // Returns the velocity of an anchor of a joint. frame: pose of the anchor in the frame of the body.
@@ -125,6 +139,8 @@ KERNEL(joint_link)
 	if (!joint_wanted(p->joint_flags[i]))
 		return;
 	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	if (!search_visits(p, bodies.x) || !search_visits(p, bodies.y))
+		return;
 	int moves = (!body_can_move(p, bodies.x) && body_is_moving(p, bodies.x)) ||
 	            (!body_can_move(p, bodies.y) && body_is_moving(p, bodies.y));
 	int drives = (int)p->joint_data[i].modes & (JOINT_MOTOR(0) | JOINT_MOTOR(1) | JOINT_MOTOR(2)) &&
@@ -162,7 +178,8 @@ INLINE int body_takes_part(const Pools* p, int i)
 
 KERNEL(island_gather)
 {
-	if (!body_takes_part(p, i))
+	i = search_item(p, GROUPS_OF_BODIES, i);
+	if (!body_takes_part(p, i) || !search_visits(p, i))
 		return;
 	island_note(p, island_root(p, i), island_bits(p, i));
 }
@@ -177,7 +194,8 @@ INLINE int island_rests(int bits)
 
 KERNEL(island_end)
 {
-	if (!body_takes_part(p, i))
+	i = search_item(p, GROUPS_OF_BODIES, i);
+	if (!body_takes_part(p, i) || !search_visits(p, i))
 		return;
 	int root = island_root(p, i), rests = island_rests(p->island_state[root]);
 	if (!rests && p->sleep[i] == 0)
@@ -190,7 +208,10 @@ KERNEL(island_end)
 	if (rests)
 		body_sleep(p, i, root);
 	else
+	{
 		body_rise(p, i);
+		active_touch_body(p, i);
+	}
 	raise_int(&p->counters->settling, 0x7fffffff);
 }
 

@@ -7,7 +7,7 @@
 #define WAKE_H
 #include "constraints/joint_asleep.h"
 #include "stages/color/joint_edges.h"
-#include "stages/sleep/island.h"
+#include "stages/sleep/groups.h"
 
 // Wakes sleeping bodies that touch a static or kinematic collidable that begins to move.
 KERNEL(contact_wake)
@@ -36,15 +36,24 @@ KERNEL(sleep_begin)
 	GLOBAL Counters* c = p->counters;
 	int search = p->argument == SEARCH_NOW || (p->argument && (c->drowsy | c->joined_islands));
 	c->searching = 0;
+	c->search_bodies = 0;
+	c->search_contacts = 0;
 	c->waking = 0;
 	c->marked = 0;
 	c->settling = 0;
 	if (c->stalled)
 		return;
+	c->touched = 0;
 	c->marked = c->woken;
 	c->settling = c->woken;
 	c->waking = search ? 0 : c->woken;
-	c->searching = search ? 0x7fffffff : 0;
+	c->search_all = p->argument == SEARCH_NOW || c->joined_islands || c->woken;
+	if (search)
+	{
+		c->searching = 0x7fffffff;
+		c->search_bodies = c->search_all ? 0x7fffffff : c->active_items[GROUPS_OF_BODIES];
+		c->search_contacts = c->search_all ? 0x7fffffff : c->active_items[GROUPS_OF_CONTACTS];
+	}
 	c->woken = 0;
 	if (p->argument)
 	{
@@ -57,7 +66,10 @@ KERNEL(sleep_begin)
 KERNEL(body_wake)
 {
 	if (body_mark(p, i))
+	{
 		body_rise(p, i);
+		active_touch_body(p, i);
+	}
 }
 
 // Ends the constraint of slot i, or begins it again, if its bodies fell asleep or woke.
@@ -82,6 +94,8 @@ KERNEL(contact_sleep)
 	if (i >= p->counters->live || p->pair[i].x < 0)
 		return;
 	Int2 bodies = p->contact_bodies[i];
+	if (contact_is_live(p, i))
+		active_touch(p, GROUPS_OF_CONTACTS, i);
 	SLEEP_EDGE(contact, bodies, flags, CONTACT_ASLEEP, edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), bodies))
 }
 

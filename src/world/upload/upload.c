@@ -6,6 +6,7 @@
 #include "world/chain/chains.h"
 #include "world/device/auto.h"
 #include "world/device/idle.h"
+#include "world/device/touched.h"
 #include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/exclusions.h"
@@ -141,6 +142,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
 	char* memory;
+	TRY(touched_collect(world));
 	TRY(reserve(world, &demand, &memory)); // reserves all memory first, so that a failure leaves the device unchanged
 	world->pipeline.jumps |= places(&world->edits);
 	TRY(upload_attributes(world, memory));
@@ -148,6 +150,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 	TRY(upload_commands(world, demand.commands, memory));
 	TRY(upload_paths(world));
 	TRY(upload_joints(world, memory));
+	TRY(touched_upload(world));
 	clear(world);
 	return SCREE_OK;
 }
