@@ -15,6 +15,17 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, RUN_PAIR(t, level));
 }
 
+// Lists the runs that recompute the boxes of tree 0 around collidables whose boxes changed.
+static void tree_refit_stale(RunList* list, const Tree* tree, const Step* step)
+{
+	if (tree->leaves == 0)
+		return;
+	runs_add(list, KERNEL_leaf_update, 0, step->collidables, COUNT(updated_boxes), 0);
+	for (int level = 1; level <= tree->top; ++level)
+		runs_add(list, KERNEL_tree_node, 0, tree->count[level], COUNT(stale_nodes) + level,
+		         RUN_PAIR(TREE_STALE_ONLY, level));
+}
+
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count)
 {
 	runs_add(list, KERNEL_tree_root, 0, 1, count, t | boxes);
@@ -117,7 +128,11 @@ scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 		state->touched = true;
 	}
 	// the static tree changes only if the user moved something in it, or the device sorted its leaves
-	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched ? NO_COUNT : COUNT(refit));
+	const TreeState* moving = &pipeline->trees[0];
+	if (step->sleep && pipeline->sleeps && !moving->touched && !pipeline->jumps)
+		tree_refit_stale(list, &moving->tree, step);
+	else
+		tree_refit(list, &moving->tree, 0, moving->touched || step->sleep ? NO_COUNT : COUNT(refit));
 	if (pipeline->trees[1].touched || pipeline->jumps)
 		tree_refit(list, &pipeline->trees[1].tree, 1, pipeline->trees[1].touched ? NO_COUNT : COUNT(order) + 1);
 	pipeline->trees[0].touched = pipeline->trees[1].touched = false;
@@ -151,9 +166,10 @@ void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies)
 	runs_add(list, KERNEL_broad_phase_rest, 0, step->traversal_items, COUNT(rest), 0);
 	runs_add(list, KERNEL_contact_admit, 0, 1, COUNT(pairs), 0);
 	runs_add_sort(list, step->pair_capacity, COUNT(sort_pairs), 0, 2 * step->key_bits);
-	runs_add(list, KERNEL_contact_mark_free, 0, contacts, COUNT(search), 0);
-	runs_add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(search), 0);
-	runs_add(list, KERNEL_contact_list_free, 0, contacts, COUNT(search), 0);
+	int groups = group_count(pipeline->backend, GROUPS_OF_CONTACTS) + 1, slots = step->sleep ? groups : contacts;
+	runs_add(list, step->sleep ? KERNEL_contact_mark_group : KERNEL_contact_mark_free, 0, slots, COUNT(search), 0);
+	runs_add(list, PRIMITIVE_SCAN, 0, slots, COUNT(search), 0);
+	runs_add(list, step->sleep ? KERNEL_contact_list_group : KERNEL_contact_list_free, 0, slots, COUNT(search), 0);
 	runs_add(list, KERNEL_contact_reserve, 0, 1, COUNT(pairs), 0);
 	runs_add(list, KERNEL_contact_create, 0, contacts, COUNT(created), 0);
 	if (joints)

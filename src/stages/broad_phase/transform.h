@@ -15,6 +15,8 @@ KERNEL(step_begin)
 	c->alive = c->alive - c->released;
 	c->updated_boxes = 0;
 	c->refit = 0;
+	for (int level = 0; level < MAX_LEVELS; ++level)
+		c->stale_nodes[level] = 0;
 	c->jumped = 0;
 	c->order[0] = 0;
 	c->order[1] = 0;

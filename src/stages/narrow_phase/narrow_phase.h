@@ -69,6 +69,8 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 		island_wake_parted(p, p->contact_bodies[i], p->contact_flags[i]);
 	contact_count(p, p->contact_bodies[i], p->contact_flags[i], -1);
 	p->pair[i] = make_int2(-1, -1);
+	if (p->step.sleep)
+		atomic_add_int(p->contact_group_free + (i >> GROUP_BITS), 1);
 	p->contact_flags[i] = 0;
 	atomic_add_int(&p->counters->released, 1);
 	return 1;

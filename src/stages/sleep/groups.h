@@ -60,6 +60,11 @@ KERNEL(group_reset)
 	groups_of(p, kind)[i] = i;
 	if (i == 0)
 		p->counters->active_items[kind] = groups << GROUP_BITS;
+	int first = i << GROUP_BITS, free = 0;
+	for (int k = first; kind == GROUPS_OF_CONTACTS && k < first + GROUP_ITEMS && k < items; ++k)
+		free += p->pair[k].x < 0;
+	if (kind == GROUPS_OF_CONTACTS)
+		p->contact_group_free[i] = free;
 }
 
 // Item: a contact. Ends the rest of its group if the contact may change, after changes by the user.
