@@ -20,14 +20,16 @@
 #define SLEEP_LOCK_X (1 << 26) // the motion along x was locked when the body fell asleep
 #define SLEEP_LOCK_Y (1 << 27) // the same along y
 #define SLEEP_ISLAND (SLEEP_LOCK_X - 1)
-#define SLEEP_TIME   0.5f    // s: an island falls asleep when all of its bodies have been at rest for this time
-#define SLEEP_STEPS  8       // islands are searched in every step whose number is a multiple of this
-#define STILL_FORCED (-1.0f) // value of the pool still: the user puts the island of the body to sleep
-#define STILL_STIRRED \
-	(-2.0f) // value of the pool still: the user moved the body, so its island stays awake in this step
+#define SLEEP_TIME   0.5f // s: an island falls asleep when all of its bodies have been at rest for this time
+#define SLEEP_STEPS  8    // islands are searched in every step whose number is a multiple of this
 
-#define STILL_MADE \
-	(-3.0f) // value of the pool still: created asleep since the last step, so its parts may still be added
+// Values of the pool still below 0.
+#define STILL_FORCED  (-1.0f) // the user puts the island of the body to sleep
+#define STILL_STIRRED (-2.0f) // the user moved the body, so its island stays awake in this step
+// Created asleep since the last step, so its parts may still be added. The body ignores marks in the pool wake, which may
+// be those of an earlier body of its slot; island_wake ends this value.
+#define STILL_MADE  (-3.0f)
+#define STILL_MOVED (-4.0f) // static or kinematic, has joints, and was moved by the user
 
 // Values of the pool wake, in rising order of strength.
 #define WAKE_USER  1 // the user changed a body of the island; a later call may still put the island to sleep

@@ -198,8 +198,8 @@ static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
 {
 	bool same = request->dt == 0.0f || pipeline->counters.joints == 0 ||
 	            request->dt / (float)request->substeps == pipeline->step.h;
-	return pipeline->quiet >= QUIET_STEPS && !pipeline->edited && request->sleep && request->commands.count == 0 &&
-	       !pipeline->asks && same;
+	return pipeline->quiet >= QUIET_STEPS && !pipeline->edited && !pipeline->counters.joined_islands &&
+	       request->sleep && request->commands.count == 0 && !pipeline->asks && same;
 }
 
 // Ends a step that changes nothing, without the device.

@@ -8,7 +8,10 @@ void set_sleep(Maker* m, Call* call)
 	if (!m->sleeps)
 		return;
 	float speed = chance(m, 0.5) ? PICK(m, 0.5f, 1.0f, 2.0f, 5.0f) : between(m, 0.01f, 1.0f);
-	call_set(call, "sleep_threshold", chance(m, m->extreme) ? PICK(m, 1e-6f, 1e6f, 0.0f, NAN) : speed < 0.01f ? 0.01f : speed);
+	call_set(call, "sleep_threshold",
+	         chance(m, m->extreme) ? PICK(m, 1e-6f, 1e6f, 0.0f, NAN)
+	         : speed < 0.01f       ? 0.01f
+	                               : speed);
 }
 
 void set_asleep(Maker* m, Call* call)
@@ -25,10 +28,15 @@ void set_asleep(Maker* m, Call* call)
 
 float step_length(Maker* m) { return PICK(m, 1.0f / 60.0f, 1.0f / 30.0f, 0.05f, 0.1f, 0.1f, 0.25f, 0.5f); }
 
-// Adds steps whose lengths sum to 0.5 s or more, the time of rest after which bodies fall asleep.
+// Adds steps whose lengths sum to 0.5 s or more, the time of rest after which bodies fall asleep. In some of these
+// sequences the whole world sleeps from the first step on, so that the last steps are skipped.
 static void put_rest(Maker* m)
 {
-	Call call = call_make(CALL_step);
+	Call call = call_make(CALL_awake_world);
+	call_set(&call, "awake", 0.0f);
+	if (chance(m, 0.4))
+		put(m, call);
+	call = call_make(CALL_step);
 	call_set(&call, "dt", PICK(m, 0.05f, 0.1f, 0.1f, 0.25f, 0.5f));
 	for (int k = 5 + below(m, 6); k > 0; --k)
 		put(m, call);

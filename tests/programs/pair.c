@@ -2,6 +2,7 @@
 // pair.c -- runs a program on two worlds side by side, which must have equal statuses, results and hashes.
 #include "backend/arithmetic.h"
 #include "programs/run_call.h"
+#include "world/world.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,6 +64,8 @@ static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 	if (call->kind != CALL_step) // a step opens no device, and the worlds may take their steps at the same time
 		arithmetic_setting.flush = pair->places[k].flush;
 	CallRun run = {call, pair->worlds[k], pair->names[k], &pair->places[k], pair->homes[k], &left};
+	if (pair->places[k].reads)
+		pair->worlds[k]->pipeline.quiet = 0; // no step is skipped (step/pipeline.c)
 	left.status = run_call(&run);
 	if (left.status != SCREE_OK)
 		snprintf(left.error, sizeof left.error, "%s", scree_error());
@@ -304,6 +307,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 			sleepers_count(&sleepers, pair->worlds[0], &outcome.slept, &outcome.woke);
 			bool good = (pair->infinite || state_finite(pair->worlds[0], outcome.sentence)) &&
 			            state_colored(pair->worlds[0], outcome.sentence) &&
+			            state_sleeps(pair->worlds[0], outcome.sentence) &&
 			            (!pair->limits || state_limited(pair->worlds[0], outcome.sentence));
 			differs = outcome.differs = !good;
 		}

@@ -9,6 +9,7 @@
 #include "world/objects/sleep.h"
 #include "world/own_queries.h"
 #include "world/pool_read.h"
+#include "world/shape/geometry.h"
 #include "world/upload/upload.h"
 #include "world/upload/whole_sleep.h"
 
@@ -55,6 +56,7 @@ scree_status scree_world_set_box_awake(scree_world* world, scree_box box, bool a
 	const char* function = "scree_world_set_box_awake";
 	scree_query_results list;
 	TRY(world_check(world, function));
+	TRY(check_box(function, box));
 	own_queries_swap(world);
 	scree_status status = scree_world_overlap_box(world, box, &list);
 	own_queries_swap(world);

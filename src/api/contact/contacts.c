@@ -24,7 +24,7 @@ typedef struct // pools of contacts, and the world shapes of their collidables
 	int* place;
 	ContactRows* blocks;
 	ContactRareRows* rare; // null if the world does not store details
-	ContactKept* kept;     // impulses of contacts of sleeping bodies; null if the world does not sleep
+	ContactKept* kept;     // impulses of contacts of sleeping bodies; null if no body slept in the last step
 	WorldShape* placed;
 } Rows;
 
@@ -139,7 +139,7 @@ static scree_status list(scree_world* world, const char* function, Word detected
 			TRY(read_pool(world, function, POOL_contact_rows, blocks, (void**)&rows->blocks));
 		if (blocks > 0 && world->def.contact_details)
 			TRY(read_pool(world, function, POOL_contact_rare_rows, blocks, (void**)&rows->rare));
-		if (world->def.sleep)
+		if (world->pipeline.sleeps)
 			TRY(read_pool(world, function, POOL_contact_kept, slots, (void**)&rows->kept));
 		TRY(read_pool(world, function, POOL_world_shape, world->collidables.used, (void**)&rows->placed));
 		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)

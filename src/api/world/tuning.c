@@ -36,6 +36,8 @@ scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuni
 	world->def.contact_push_speed = tuning->contact_push_speed;
 	world->def.restitution_threshold = tuning->restitution_threshold;
 	world->def.max_speed = tuning->max_speed;
+	world->pipeline.sleeps |=
+	    world->def.sleep; // bodies that were created asleep since the last step wake in the next one
 	world->def.sleep = tuning->sleep;
 	world->def.sleep_threshold = tuning->sleep_threshold;
 	return SCREE_OK;

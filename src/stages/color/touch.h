@@ -36,8 +36,7 @@ RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 		contact_forget(p, i);
 	if (p->step.sleep)
 		active_touch(p, GROUPS_OF_CONTACTS, i);
-	if (flags & CONTACT_TOUCHING)
-		island_wake_both(p, p->contact_bodies[i]);
+	island_wake_parted(p, p->contact_bodies[i], flags);
 	touch_end(p, p->pair[i], flags);
 	p->contact_flags[i] = CONTACT_FRESH | (flags & CONTACT_FIXED) | kept;
 	p->contact_feature[i] = make_int2(-1, -1);

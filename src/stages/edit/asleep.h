@@ -11,13 +11,24 @@
 // Returns the number of the island of a sleeping body; -1 for an awake body.
 INLINE int body_island(const Pools* p, int i) { return (p->sleep[i] & SLEEP_ISLAND) - 1; }
 
-// Marks the island of a body; an awake body counts as an island of its own. strength: WAKE_*.
+// Marks the island of a sleeping body. strength: WAKE_*.
 INLINE void island_wake(const Pools* p, int i, int strength)
 {
-	int island = body_island(p, i);
-	raise_int(p->wake + (island < 0 ? i : island), strength);
+	if (p->still[i] == STILL_MADE)
+		p->still[i] = 0.0f;
+	raise_int(p->wake + body_island(p, i), strength);
 	raise_int(&p->counters->woken, 0x7fffffff);
 }
+
+// Returns the mark of the island of a body, WAKE_*, or 0.
+INLINE int body_mark(const Pools* p, int i)
+{
+	int island = body_island(p, i);
+	return island < 0 || p->still[i] == STILL_MADE ? 0 : read_shared(p->wake + island);
+}
+
+// Returns whether a body sleeps, and is not marked to wake.
+INLINE int body_sleeps_on(const Pools* p, int i) { return p->sleep[i] != 0 && body_mark(p, i) == 0; }
 
 // Marks the islands of those of two bodies that sleep.
 INLINE void island_wake_both(const Pools* p, Int2 bodies)
@@ -28,7 +39,24 @@ INLINE void island_wake_both(const Pools* p, Int2 bodies)
 		island_wake(p, bodies.y, WAKE_WORLD);
 }
 
-INLINE int island_is_woken(const Pools* p, int island) { return read_shared(p->wake + island); }
+// The same when a contact ends. flags: its flags before; an overlap, or a pending contact, wakes nothing. A body that was
+// created asleep since the last step did not touch anything: the touch was that of an earlier body of its slot.
+INLINE void island_wake_parted(const Pools* p, Int2 bodies, Word flags)
+{
+	if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
+		return;
+	if (p->sleep[bodies.x] && p->still[bodies.x] != STILL_MADE)
+		island_wake(p, bodies.x, WAKE_WORLD);
+	if (p->sleep[bodies.y] && p->still[bodies.y] != STILL_MADE)
+		island_wake(p, bodies.y, WAKE_WORLD);
+}
+
+// Wakes the island of a body that the user destroys.
+INLINE void body_gone_wake(const Pools* p, int i)
+{
+	if (p->sleep[i] && p->still[i] != STILL_MADE)
+		island_wake(p, i, WAKE_USER);
+}
 
 // Ends the sleep of a body.
 INLINE void body_rise(const Pools* p, int i)

@@ -137,9 +137,10 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = 0.0f;
 }
 
-// Initializes a new body at rest, without mass, forces or locks. pose: pose of the center of mass.
+// Destroys a body, or initializes a new body at rest, without mass, forces or locks. pose: pose of the center of mass.
 INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 {
+	body_gone_wake(p, i);
 	item_clear(p, PER_BODY, i);
 	p->reported_pose[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	p->pose[i] = pose;
@@ -343,8 +344,8 @@ INLINE void command_stir(const Pools* p, int i, int joined)
 		raise_int(&p->counters->touched, 0x7fffffff);
 	}
 	else if (joined)
-		island_wake(p, i, WAKE_WORLD);
-	p->still[i] = STILL_STIRRED;
+		raise_int(&p->counters->woken, 0x7fffffff);
+	p->still[i] = joined ? STILL_MOVED : STILL_STIRRED;
 }
 
 INLINE void command_apply(const Pools* p, Command c)

@@ -65,8 +65,8 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	if (!box_parted(p, pair))
 		return 0;
 	contact_end(p, i);
-	if (p->step.sleep && p->contact_flags[i] & CONTACT_TOUCHING)
-		island_wake_both(p, p->contact_bodies[i]);
+	if (p->step.sleep)
+		island_wake_parted(p, p->contact_bodies[i], p->contact_flags[i]);
 	contact_count(p, p->contact_bodies[i], p->contact_flags[i], -1);
 	p->pair[i] = make_int2(-1, -1);
 	if (p->step.sleep)
@@ -235,8 +235,7 @@ RARE void narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
 		p->contact_flags[i] &= ~CONTACT_ASLEEP;
 		if (flags & CONTACT_ASLEEP)
 			contact_forget(p, i);
-		if (flags & CONTACT_TOUCHING)
-			island_wake_both(p, bodies);
+		island_wake_parted(p, bodies, flags);
 		return;
 	}
 	if (flags & (CONTACT_DETECTED | CONTACT_PENDING))

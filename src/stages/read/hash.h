@@ -8,7 +8,7 @@
 // Hashes the state of a body's sleep, in a world that sleeps.
 INLINE Word64 hash_sleep(const Pools* p, int i, Word64 h)
 {
-	h = hash_int(hash_int(h, p->sleep[i]), p->wake[i]);
+	h = hash_int(hash_int(h, p->sleep[i]), body_mark(p, i));
 	return hash_float(hash_float(h, p->still[i]), p->sleep_threshold[i]);
 }
 

@@ -23,18 +23,12 @@ INLINE Float4 reported_origin(const Pools* p, int i)
 	return make_float4(pose.x - shift.x, pose.y - shift.y, pose.z, pose.w);
 }
 
-INLINE int reported_asleep(const Pools* p, int i)
-{
-	int island = body_island(p, i);
-	return island >= 0 && p->wake[island] == 0;
-}
-
 // Lists body i if it moved, fell asleep or woke. A new body is always listed: its reported pose is 0, which is no valid rotation.
 LIST_KERNEL(moved_mark, moved_bodies, moved_bodies)
 {
 	Float4 now = reported_origin(p, i), then = p->reported_pose[i];
 	int moved = now.x != then.x || now.y != then.y || now.z != then.z || now.w != then.w ||
-	       reported_asleep(p, i) != p->reported_sleep[i];
+	            body_sleeps_on(p, i) != p->reported_sleep[i];
 	return moved ? i : -1;
 }
 
@@ -44,7 +38,7 @@ KERNEL(moved_key) { p->key[i] = (Word64)p->moved_bodies[i]; }
 KERNEL(moved_list)
 {
 	MovedBody row;
-	int body = (int)p->key[i], asleep = reported_asleep(p, body);
+	int body = (int)p->key[i], asleep = body_sleeps_on(p, body);
 	row.body = body + (asleep ? MOVED_ASLEEP : 0);
 	row.pose = p->pose[body];
 	row.vx = p->body[body].vx;

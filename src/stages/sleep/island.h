@@ -158,7 +158,7 @@ INLINE int island_bits(const Pools* p, int i)
 {
 	int island = body_island(p, i), bits = p->island_state[i];
 	float still = p->still[i];
-	int woken = island_is_woken(p, island < 0 ? i : island);
+	int woken = body_mark(p, i);
 	bits |= woken == WAKE_WORLD ? ISLAND_STIRRED : 0;
 	if (island >= 0)
 		return bits | (woken ? ISLAND_WOKEN : 0) | (still == STILL_FORCED ? ISLAND_FORCED : 0);

@@ -26,8 +26,7 @@ KERNEL(joint_wake)
 	if (!(p->joint_flags[i] & JOINT_ASLEEP))
 		return;
 	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
-	if ((!body_can_move(p, bodies.x) && island_is_woken(p, bodies.x)) ||
-	    (!body_can_move(p, bodies.y) && island_is_woken(p, bodies.y)))
+	if (p->still[bodies.x] == STILL_MOVED || p->still[bodies.y] == STILL_MOVED)
 		island_wake_both(p, bodies);
 }
 
@@ -66,8 +65,7 @@ KERNEL(sleep_begin)
 
 KERNEL(body_wake)
 {
-	int island = body_island(p, i);
-	if (island >= 0 && p->wake[island])
+	if (body_mark(p, i))
 	{
 		body_rise(p, i);
 		active_touch_body(p, i);
@@ -134,12 +132,11 @@ KERNEL(set_awake)
 		p->still[i] = STILL_FORCED;
 }
 
+// Item: a body that the user destroys, before its row is cleared.
+KERNEL(body_gone) { body_gone_wake(p, i); }
+
 // Writes to the pool island whether a body sleeps, and is not marked to wake.
-KERNEL(sleep_report)
-{
-	int island = body_island(p, i);
-	p->island[i] = island >= 0 && p->wake[island] == 0;
-}
+KERNEL(sleep_report) { p->island[i] = body_sleeps_on(p, i); }
 
 // Item: a partial sum, over the items i, i + HASH_SUMS, i + 2 HASH_SUMS and so on, of the number of sleeping bodies and,
 // in the upper 32 bits, of touching contacts without a constraint. argument: number of bodies.
@@ -147,16 +144,18 @@ KERNEL(sleep_count)
 {
 	Word64 sum = 0;
 	for (int k = i; k < p->argument; k += HASH_SUMS)
-	{
-		int island = body_island(p, k);
-		sum += (Word64)(island >= 0 && p->wake[island] == 0);
-	}
+		sum += (Word64)body_sleeps_on(p, k);
 	for (int k = i; k < p->counters->contacts; k += HASH_SUMS)
 		sum += (Word64)(p->pair[k].x >= 0 && p->contact_flags[k] & CONTACT_ASLEEP) << 32;
 	p->hash[i] = sum;
 }
 
-// Clears the marks of islands.
-KERNEL(sleep_end) { p->wake[i] = 0; }
+// Clears the marks of islands, and of bodies that the user moved.
+KERNEL(sleep_end)
+{
+	p->wake[i] = 0;
+	if (p->still[i] == STILL_MOVED)
+		p->still[i] = 0.0f;
+}
 
 #endif

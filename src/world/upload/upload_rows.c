@@ -118,6 +118,11 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 {
 	Backend* b = world->backend;
 	const BodyRow* rows = world->edits.bodies;
+	int first = rows[begin].index;
+	Step step = {0};
+	Run gone = {.kernel_id = KERNEL_body_gone, .begin = first, .end = first + end - begin, .count = NO_COUNT};
+	if (world->pipeline.sleeps)
+		TRY(b->f->run(b, &step, &gone, 1));
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		size_t bytes = pool_info[pool].bytes;
@@ -127,7 +132,7 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 		memset(stage, 0, (size_t)(end - begin) * bytes);
 		for (int k = begin; k < end; ++k)
 			body_item(world, (PoolId)pool, rows + k, stage + (size_t)(k - begin) * bytes);
-		TRY(b->f->write(b, (PoolId)pool, rows[begin].index, end - begin, stage));
+		TRY(b->f->write(b, (PoolId)pool, first, end - begin, stage));
 	}
 	return SCREE_OK;
 }
