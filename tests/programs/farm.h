@@ -22,7 +22,7 @@ typedef struct // progress of a process, shared with its parent
 	double since; // s, by seconds_now: start of the current program
 	int done, failed, steps, frozen;
 	int sleeping, woken; // programs in which bodies fell asleep; programs in which bodies also woke
-	uint64_t hash; // sum of those of the programs
+	uint64_t hash;       // sum of those of the programs
 	bool finished;
 } Desk;
 

@@ -8,7 +8,10 @@ void set_sleep(Maker* m, Call* call)
 	if (!m->sleeps)
 		return;
 	float speed = chance(m, 0.5) ? PICK(m, 0.5f, 1.0f, 2.0f, 5.0f) : between(m, 0.01f, 1.0f);
-	call_set(call, "sleep_threshold", chance(m, m->extreme) ? PICK(m, 1e-6f, 1e6f, 0.0f, NAN) : speed < 0.01f ? 0.01f : speed);
+	call_set(call, "sleep_threshold",
+	         chance(m, m->extreme) ? PICK(m, 1e-6f, 1e6f, 0.0f, NAN)
+	         : speed < 0.01f       ? 0.01f
+	                               : speed);
 }
 
 void set_asleep(Maker* m, Call* call)

@@ -118,7 +118,7 @@ bool state_limited(scree_world* world, char sentence[256]);
 // Returns the number of bodies that the last step froze.
 int state_frozen(scree_world* world);
 
-// asleep.c: counts bodies that fall asleep and wake.
+// sleep_count.c: counts bodies that fall asleep and wake.
 typedef struct
 {
 	scree_body* sleepers; // per slot: the body that slept there after the last step, or null

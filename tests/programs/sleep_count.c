@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// asleep.c -- counts the bodies of a world that fall asleep and wake, without a call that uploads changes.
+// sleep_count.c -- counts the bodies of a world that fall asleep and wake, without a call that uploads changes.
 #include "programs/program.h"
 #include "world/objects/handles.h"
 #include "world/world.h"
