@@ -20,21 +20,20 @@
 #define SLEEP_LOCK_X (1 << 26) // the motion along x was locked when the body fell asleep
 #define SLEEP_LOCK_Y (1 << 27) // the same along y
 #define SLEEP_ISLAND (SLEEP_LOCK_X - 1)
-#define SLEEP_TIME   0.5f    // s: an island falls asleep when all of its bodies have been at rest for this time
-#define SLEEP_STEPS  8       // islands are searched in every step whose number is a multiple of this
-#define STILL_FORCED (-1.0f) // value of the pool still: the user puts the island of the body to sleep
-#define STILL_STIRRED \
-	(-2.0f) // value of the pool still: the user moved the body, so its island stays awake in this step
+#define SLEEP_TIME   0.5f // s: time at rest before an island falls asleep; less: bodies that only pause fall asleep
+#define SLEEP_STEPS  8    // every step of this number searches for islands; larger: bodies fall asleep later
 
-#define STILL_MADE \
-	(-3.0f) // value of the pool still: created asleep since the last step, so its parts may still be added
+// Values of the pool still that are no times.
+#define STILL_FORCED  (-1.0f) // the user puts the island of the body to sleep
+#define STILL_STIRRED (-2.0f) // the user moved the body, so its island stays awake in this step
+#define STILL_MADE    (-3.0f) // created asleep since the last step; its parts and joints may still be added
 
 // Values of the pool wake, in rising order of strength.
 #define WAKE_USER  1 // the user changed a body of the island; a later call may still put the island to sleep
 #define WAKE_WORLD 2 // a touch, a joint, a support or a field wakes the island, whatever the user calls
 
-// Arguments of the kernel sleep_begin: islands are searched in this step never, if some body has been at rest for
-// SLEEP_TIME, or in any case.
+// Arguments of the kernel sleep_begin: the step never searches for islands, does so if some body has been at rest for
+// SLEEP_TIME, or does so in any case.
 #define SEARCH_NEVER  0
 #define SEARCH_DROWSY 1
 #define SEARCH_NOW    2

@@ -25,12 +25,12 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int touching; // number of touching contacts at the last layout, including spokes
 	KindLayout layout[CONSTRAINT_KINDS]; // places of the constraints of each kind
 	int woken;                           // INT_MAX if some island is marked in the pool wake
-	int joined_islands; // 1 if a sleeping body began to touch another sleeping island, so that both become one
-	int movers;         // 1 if some body that does not sleep moved or may move in the last step, in a world that sleeps
-	int drowsy;         // 1 if some body has been at rest for SLEEP_TIME
-	int hubs;           // number of hubs
-	int split;          // number of spokes if some body is split into parts, else 0
-	int outliers[2];    // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
+	int joined_islands;                  // 1 if two sleeping islands began to touch, so that they become one
+	int movers;      // 1 if some dynamic body was awake or some kinematic body moved in the last step
+	int drowsy;      // 1 if some body has been at rest for SLEEP_TIME
+	int hubs;        // number of hubs
+	int split;       // number of spokes if some body is split into parts, else 0
+	int outliers[2]; // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
 	// Values of this step.
 	int updated_boxes; // number of collidables whose enlarged box changed
 	int changed;       // 1 if a constraint began or ended, so the constraints need a new layout
@@ -50,10 +50,10 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int stalled;      // 1 if the contact limit or a capacity is exceeded; after the latter, the host enlarges the pools
 	int live;         // number of contact slots that the narrow phase processes; 0 if `stalled` is 1
 	int look;         // same as `live` if some contact has CONTACT_LOOK, else 0
-	int shifted;      // INT_MAX if a static or kinematic collidable began to move, else 0
-	int searching;    // INT_MAX in a step that searches islands, else 0
-	int waking;       // INT_MAX if islands wake without a search, else 0
-	int marked;       // INT_MAX if marks in the pool wake must be cleared at the end of the step, else 0
+	int shifted;      // INT_MAX if a static or kinematic collidable began to move or was changed, else 0
+	int searching;    // INT_MAX in a step that searches for islands, else 0
+	int waking;       // INT_MAX if islands wake in a step without a search, else 0
+	int marked;       // INT_MAX if marks in the pool wake must be cleared in this step, else 0
 	int settling;     // INT_MAX if some body fell asleep or woke, else 0
 	int released;     // number of contacts whose boxes parted
 	int began, ended; // numbers of constraints that began and that ended

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // asleep.h -- puts a body to sleep, ends its sleep, and marks islands that wake in this step or the next one.
 //
-// A sleeping body has velocity 0, and all of its axes are locked, so that no stage moves it; the pool sleep contains its
-// own locks. No constraint refers to it. Its mass is unchanged, so other stages treat it as a body that can move.
+// A sleeping body has velocity 0, and both of its axes are locked, so that no stage moves it. The pool sleep contains
+// the locks that it had before. No constraint refers to it. Its mass is unchanged, so other stages treat it as a body
+// that can move.
 #ifndef ASLEEP_H
 #define ASLEEP_H
 #include "dialect/dialect.h"
@@ -11,7 +12,7 @@
 // Returns the number of the island of a sleeping body; -1 for an awake body.
 INLINE int body_island(const Pools* p, int i) { return (p->sleep[i] & SLEEP_ISLAND) - 1; }
 
-// Marks the island of a body; an awake body counts as an island of its own. strength: WAKE_*.
+// Marks the island of a body, so that it wakes; an awake body counts as an island of its own. strength: WAKE_*.
 INLINE void island_wake(const Pools* p, int i, int strength)
 {
 	int island = body_island(p, i);
@@ -19,7 +20,7 @@ INLINE void island_wake(const Pools* p, int i, int strength)
 	raise_int(&p->counters->woken, 0x7fffffff);
 }
 
-// Marks the islands of those of two bodies that sleep.
+// Marks the island of each of two bodies that sleeps.
 INLINE void island_wake_both(const Pools* p, Int2 bodies)
 {
 	if (p->sleep[bodies.x])
@@ -30,7 +31,7 @@ INLINE void island_wake_both(const Pools* p, Int2 bodies)
 
 INLINE int island_is_woken(const Pools* p, int island) { return read_shared(p->wake + island); }
 
-// Ends the sleep of a body.
+// Ends the sleep of a body, and restores its locks.
 INLINE void body_rise(const Pools* p, int i)
 {
 	int sleep = p->sleep[i];
