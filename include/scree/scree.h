@@ -869,6 +869,7 @@ SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body bo
 // Wakes bodies with their islands (true), or puts their islands to sleep in the next step with dt > 0 (false), even if
 // they move. An island stays awake in spite of that if:
 // - since the last step a call has moved or woken another of its bodies, and no later call put that body to sleep;
+// - it was asleep, and since the last step a call has moved one of its bodies;
 // - in that step it begins to touch something, or something other than a call that changes its bodies would wake it;
 // - scree_body_def.stays_awake is set for one of its bodies.
 // Does nothing for static, kinematic and disabled bodies, nor in a world that does not sleep.

@@ -63,8 +63,8 @@ KERNEL(body_wake)
 		body_rise(p, i);
 }
 
-// Ends the constraint of slot i if one of its bodies fell asleep, or begins it again if both are awake. The kept values
-// of a constraint that ends go to its slot. begins: statement that begins the constraint.
+// Ends the constraint of slot i if one of its bodies fell asleep, and keeps its values at the slot; or begins it again
+// if both are awake. begins: statement that begins the constraint.
 #define SLEEP_EDGE(kind, bodies, flags, ASLEEP, begins)   \
 	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y]; \
 	if (sleeps && p->kind##_color[i] != COLOR_NONE)       \
