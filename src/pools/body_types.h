@@ -20,8 +20,8 @@
 #define SLEEP_LOCK_X (1 << 26) // the motion along x was locked when the body fell asleep
 #define SLEEP_LOCK_Y (1 << 27) // the same along y
 #define SLEEP_ISLAND (SLEEP_LOCK_X - 1)
-#define SLEEP_TIME   0.5f // s: an island falls asleep when all of its bodies have been at rest for this time
-#define SLEEP_STEPS  8    // islands are searched in every step whose number is a multiple of this
+#define SLEEP_TIME   0.5f // s: time at rest before an island falls asleep; less: bodies that only pause fall asleep
+#define SLEEP_STEPS  8    // every step of this number searches for islands; larger: bodies fall asleep later
 
 // Values of the pool still below 0.
 #define STILL_FORCED  (-1.0f) // the user puts the island of the body to sleep
@@ -35,8 +35,8 @@
 #define WAKE_USER  1 // the user changed a body of the island; a later call may still put the island to sleep
 #define WAKE_WORLD 2 // a touch, a joint, a support or a field wakes the island, whatever the user calls
 
-// Arguments of the kernel sleep_begin: islands are searched in this step never, if some body has been at rest for
-// SLEEP_TIME, or in any case.
+// Arguments of the kernel sleep_begin: the step never searches for islands, does so if some body has been at rest for
+// SLEEP_TIME, or does so in any case.
 #define SEARCH_NEVER  0
 #define SEARCH_DROWSY 1
 #define SEARCH_NOW    2

@@ -18,8 +18,8 @@
 // Number of coloring rounds beyond those that the last step needed; then the host checks that no contact is uncolored.
 #define SPARE_ROUNDS 2
 
-// Number of steps without motion after which steps are skipped. In the first one, islands fall asleep; in the second one,
-// marks of collidables that moved are cleared.
+// Number of steps without motion after which steps are skipped. In the first one the last island falls asleep; the
+// second one clears the marks of collidables that moved.
 #define QUIET_STEPS 3
 
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
@@ -192,8 +192,8 @@ static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 	return pipeline_reserve(pipeline, PER_KEY, pairs);
 }
 
-// Returns whether a step would change nothing: in the last QUIET_STEPS steps all bodies slept or stood, and the user has
-// changed nothing since. The counter `movers` that a step reads is that of the step before.
+// Returns whether a step would change nothing: in the last QUIET_STEPS steps all bodies slept or cannot move, and the
+// user has changed nothing since. The counter `movers` that a step reads is that of the step before.
 static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
 {
 	bool same = request->dt == 0.0f || pipeline->counters.joints == 0 ||

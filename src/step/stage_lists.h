@@ -10,7 +10,7 @@
 scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies);
 void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies);
 void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies);
-// Lists the runs that wake islands and, in some steps, search islands and put them to sleep.
+// Lists the runs that wake islands and, in some steps, search for islands and put them to sleep.
 void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request);
 // Lists the coloring rounds `from` to `to` - 1, and the layout, which the device skips if constraints have no color.
 void list_color(Pipeline* pipeline, int bodies, int from, int to);

@@ -12,7 +12,8 @@ scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared);
 // Updates the pool joint_state for `count` slots from `first` on. The user's changes must already be uploaded.
 scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count);
 
-// Updates the pool island for `count` bodies from `first` on: 1 for a body that sleeps and is not marked to wake, else 0.
+// Updates the pool island for `count` bodies from `first` on: 1 for a body that sleeps and is not marked to wake, else
+// 0.
 scree_status pipeline_report_sleep(Pipeline* pipeline, int first, int count);
 
 // Counts the bodies that sleep and are not marked to wake, and the touching contacts that have no constraint because a

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // asleep.h -- puts a body to sleep, ends its sleep, and marks islands that wake in this step or the next one.
 //
-// A sleeping body has velocity 0, and all of its axes are locked, so that no stage moves it; the pool sleep contains its
-// own locks. No constraint refers to it. Its mass is unchanged, so other stages treat it as a body that can move.
+// A sleeping body has velocity 0, and both of its axes are locked, so that no stage moves it. The pool sleep contains
+// the locks that it had before. No constraint refers to it. Its mass is unchanged, so other stages treat it as a body
+// that can move.
 #ifndef ASLEEP_H
 #define ASLEEP_H
 #include "dialect/dialect.h"
@@ -58,7 +59,7 @@ INLINE void body_gone_wake(const Pools* p, int i)
 		island_wake(p, i, WAKE_USER);
 }
 
-// Ends the sleep of a body.
+// Ends the sleep of a body, and restores its locks.
 INLINE void body_rise(const Pools* p, int i)
 {
 	int sleep = p->sleep[i];

@@ -299,7 +299,7 @@ INLINE void command_change(const Pools* p, Command c)
 	}
 }
 
-// Returns whether a command changes the motion of a body. Forces, impulses and velocities of 0 do not.
+// Returns whether a command wakes a sleeping body. Forces, impulses and velocities of 0 do not.
 INLINE int command_stirs(const Pools* p, Command c)
 {
 	int xy = c.value.x != 0.0f || c.value.y != 0.0f;
@@ -333,8 +333,8 @@ INLINE int command_stirs(const Pools* p, Command c)
 	}
 }
 
-// Wakes the island of a body that the user changes, and the body itself at once. joined: not 0 for a body that cannot
-// move, but has joints.
+// Marks the island of a body that the user changes, and wakes the body itself at once, so that later commands act on
+// it. joined: not 0 for a static or kinematic body with joints; joint_wake then marks the islands at these joints.
 INLINE void command_stir(const Pools* p, int i, int joined)
 {
 	if (p->sleep[i])

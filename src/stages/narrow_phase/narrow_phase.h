@@ -222,9 +222,9 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Predicti
 	p->contact_manifold[i] = manifold;
 }
 
-// Completes a new manifold of a contact whose bodies sleep, or slept until now. A touch that begins with something that moves wakes the
-// body, and so does the end of a touch. flags: flags of the contact before this step; moved: COLLIDABLE_* bits of the
-// pair. The constraint begins when all bodies are awake (contact_sleep).
+// Completes a new manifold of a contact of which a body sleeps, or slept before this step. A body wakes if it begins to
+// touch an awake body or a collidable that moves, and if a touch of it ends. contact_sleep begins the constraint when
+// both bodies are awake. flags: flags of the contact before this step. moved: COLLIDABLE_* bits of the pair.
 RARE void narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
 {
 	Int2 bodies = p->contact_bodies[i];

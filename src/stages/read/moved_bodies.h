@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moved_bodies.h -- lists the bodies whose poses or sleep differ from those last reported to the user. No step reads this list.
+// moved_bodies.h -- lists the bodies that moved, fell asleep or woke since the last report to the user. No step reads
+// this list.
 //
 // The poses are those of origins, so a new center of mass or rounding error (pool pose_low) does not count as a motion.
 #ifndef MOVED_BODIES_H
@@ -23,7 +24,8 @@ INLINE Float4 reported_origin(const Pools* p, int i)
 	return make_float4(pose.x - shift.x, pose.y - shift.y, pose.z, pose.w);
 }
 
-// Lists body i if it moved, fell asleep or woke. A new body is always listed: its reported pose is 0, which is no valid rotation.
+// Lists body i if it moved, fell asleep or woke. A new body is always listed: its reported pose is 0, which is no valid
+// rotation.
 LIST_KERNEL(moved_mark, moved_bodies, moved_bodies)
 {
 	Float4 now = reported_origin(p, i), then = p->reported_pose[i];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // island.h -- finds the islands of bodies that touch or are joined, and puts islands at rest to sleep.
 //
-// Islands exist only while they sleep. In every SLEEP_STEPS-th step, if some body is at rest, a union-find labels the
-// bodies that touching contacts and acting joints connect. The label is the lowest index of a body, so it does not depend
-// on the order of the unions. Bodies that cannot move connect nothing.
+// Islands are stored only while they sleep. In every SLEEP_STEPS-th step, if some body has been at rest for SLEEP_TIME,
+// a union-find labels the bodies that touching contacts and acting joints connect. The label of an island is the lowest
+// index of its bodies, so it does not depend on the order of the unions. Bodies that cannot move connect nothing.
 //
 // This work is based on:
 // Jayadharini Jaiganesh and Martin Burtscher, A High-Performance Connected Components Implementation for GPUs, 2018:
@@ -22,8 +22,8 @@ INLINE int body_is_moving(const Pools* p, int i)
 	return body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
 }
 
-// Returns the root of a body, and halves the path to it. Other work-items may link roots at the same time: a path only
-// ever leads to lower indices of the same island, so an old value is also correct.
+// Returns the root of a body, and halves the path to it. Other work-items may link roots at the same time. A path leads
+// only to lower indices of the same island, so an old value is also correct.
 INLINE int island_root(const Pools* p, int i)
 {
 	int above = read_shared(p->island + i);
@@ -38,6 +38,7 @@ INLINE int island_root(const Pools* p, int i)
 	return i;
 }
 
+// Unites the islands of two bodies: links the root with the higher index to the other one.
 INLINE void island_unite(const Pools* p, int a, int b)
 {
 	a = island_root(p, a);
@@ -54,17 +55,18 @@ INLINE void island_unite(const Pools* p, int a, int b)
 	}
 }
 
+// Adds ISLAND_* bits to those of body i.
 INLINE void island_note(const Pools* p, int i, int bits)
 {
 	if ((read_shared(p->island_state + i) & bits) != bits)
 		atomic_or_int(p->island_state + i, bits);
 }
 
-// Unites two bodies of a constraint. moves: not 0 if one of them cannot move, but does. anew: not 0 if the constraint
-// began in this step.
-INLINE void island_link(const Pools* p, Int2 bodies, int moves, int anew)
+// Unites the two bodies of a constraint. moves: not 0 if one of them is static or kinematic, and moves. begins: not 0
+// if the constraint begins in this step.
+INLINE void island_link(const Pools* p, Int2 bodies, int moves, int begins)
 {
-	int bits = (moves ? ISLAND_RESTLESS | ISLAND_STIRRED : 0) | (anew ? ISLAND_STIRRED : 0);
+	int bits = (moves ? ISLAND_RESTLESS | ISLAND_STIRRED : 0) | (begins ? ISLAND_STIRRED : 0);
 	int a = body_can_move(p, bodies.x), b = body_can_move(p, bodies.y);
 	if (bits != 0 && a)
 		island_note(p, bodies.x, bits);
@@ -114,8 +116,8 @@ INLINE Vec anchor_velocity(const Pools* p, int body, Float4 frame)
 	return vec_add(vec(state.vx, state.vy), vec_spin(state.w, arm));
 }
 
-// Returns whether a motor of a joint turns or moves its bodies at half of its speed or more. A motor that is too weak, or
-// that pushes against a limit, does not.
+// Returns whether a motor of a joint turns or moves its bodies with at least half of the motor's speed. A motor that is
+// too weak, or that pushes against a limit, does not.
 INLINE int joint_drives_bodies(const Pools* p, const GLOBAL JointData* data)
 {
 	int modes = (int)data->modes, drives = 0;
@@ -153,7 +155,7 @@ KERNEL(joint_link)
 	island_link(p, bodies, moves, 0);
 }
 
-// Returns the ISLAND_* bits that body i adds to its island.
+// Returns the ISLAND_* bits that body i adds to those of its island.
 INLINE int island_bits(const Pools* p, int i)
 {
 	int island = body_island(p, i), bits = p->island_state[i];
@@ -171,6 +173,7 @@ INLINE int island_bits(const Pools* p, int i)
 	return p->sleep_threshold[i] < 0.0f ? bits | ISLAND_RESTLESS | ISLAND_STIRRED : bits;
 }
 
+// Returns whether a body can sleep: it can move, and is not disabled.
 INLINE int body_takes_part(const Pools* p, int i)
 {
 	return body_can_move(p, i) && p->stored_velocity[i].stored == 0.0f;
@@ -184,7 +187,7 @@ KERNEL(island_gather)
 	island_note(p, island_root(p, i), island_bits(p, i));
 }
 
-// Returns whether all bodies of an island sleep from now on.
+// Returns whether all bodies of an island sleep from this step on. bits: ISLAND_* bits of its root.
 INLINE int island_rests(int bits)
 {
 	if (bits & ISLAND_FORCED && !(bits & ISLAND_STIRRED))

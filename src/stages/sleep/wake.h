@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// wake.h -- wakes islands that are marked, ends the constraints of sleeping bodies and begins those of woken ones.
+// wake.h -- wakes marked islands; ends the constraints of bodies that fell asleep, begins those of bodies that woke.
 //
 // Commands, the narrow phase and the kernels below mark islands. All bodies of a marked island wake in the same step,
 // before the coloring, so that their constraints are solved in that step.
@@ -9,7 +9,7 @@
 #include "stages/color/joint_edges.h"
 #include "stages/sleep/groups.h"
 
-// Wakes sleeping bodies that touch a static or kinematic collidable that begins to move.
+// Marks the islands of sleeping bodies that touch a static or kinematic collidable that moves or was changed.
 KERNEL(contact_wake)
 {
 	Word flags = p->contact_flags[i];
@@ -20,7 +20,7 @@ KERNEL(contact_wake)
 		island_wake_both(p, p->contact_bodies[i]);
 }
 
-// Wakes a sleeping body that is joined to a static or kinematic body that the user moved.
+// Marks the island of a sleeping body that is joined to a static or kinematic body that the user moved.
 KERNEL(joint_wake)
 {
 	if (!(p->joint_flags[i] & JOINT_ASLEEP))
@@ -63,6 +63,7 @@ KERNEL(sleep_begin)
 	(void)i;
 }
 
+// Wakes the bodies of marked islands, in a step that does not search for islands; island_end does it in the others.
 KERNEL(body_wake)
 {
 	if (body_mark(p, i))
@@ -72,7 +73,8 @@ KERNEL(body_wake)
 	}
 }
 
-// Ends the constraint of slot i, or begins it again, if its bodies fell asleep or woke.
+// Ends the constraint of slot i if one of its bodies fell asleep, and keeps its values at the slot; or begins it again
+// if both are awake. begins: statement that begins the constraint.
 #define SLEEP_EDGE(kind, bodies, flags, ASLEEP, begins)   \
 	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y]; \
 	if (sleeps && p->kind##_color[i] != COLOR_NONE)       \
@@ -110,15 +112,16 @@ KERNEL(joint_sleep)
 	SLEEP_EDGE(joint, bodies, flags, JOINT_ASLEEP, if (begins) joint_begin(p, i))
 }
 
-// Item: a joint, in a step whose substeps have another length than those of the last step. Forces of sleeping joints
-// stay the same, impulses do not; the warm start scales those of awake joints.
+// Item: a joint, in a step whose substeps have another length than those of the last step. Scales the impulses of
+// sleeping joints, so that their forces stay the same; the warm start scales those of awake joints.
 KERNEL(joint_rescale)
 {
 	if (!p->counters->stalled && p->joint_flags[i] & JOINT_ASLEEP)
 		joint_scale_asleep(p, i, p->step.h_ratio);
 }
 
-// Wakes all bodies, or puts them to sleep in the next step, for a call of the user between two steps. argument: 1 to wake.
+// Item: a body, for a call of the user between two steps. Wakes it in the next step, or puts it to sleep there.
+// argument: 1 to wake, 0 to sleep.
 KERNEL(set_awake)
 {
 	float still = p->still[i];
@@ -135,11 +138,11 @@ KERNEL(set_awake)
 // Item: a body that the user destroys, before its row is cleared.
 KERNEL(body_gone) { body_gone_wake(p, i); }
 
-// Writes to the pool island whether a body sleeps, and is not marked to wake.
+// Writes 1 to the pool island for a body that sleeps and is not marked to wake, else 0.
 KERNEL(sleep_report) { p->island[i] = body_sleeps_on(p, i); }
 
-// Item: a partial sum, over the items i, i + HASH_SUMS, i + 2 HASH_SUMS and so on, of the number of sleeping bodies and,
-// in the upper 32 bits, of touching contacts without a constraint. argument: number of bodies.
+// Item: a partial sum over the bodies and contacts i, i + HASH_SUMS, i + 2 HASH_SUMS and so on. Its lower 32 bits are
+// the number of sleeping bodies, its upper 32 bits that of their touching contacts. argument: number of bodies.
 KERNEL(sleep_count)
 {
 	Word64 sum = 0;

@@ -22,8 +22,8 @@ int body_joint_count(const scree_world* world, int body);
 // Returns a joint in the form for the device.
 JointEdit joint_edit(const scree_world* world, int index);
 
-// Marks a joint that the user changed for the upload, and wakes its bodies. The caller has reserved JOINT_COMMANDS. restarts: its constraint begins again,
-// without impulses, and chains are found again.
+// Marks a joint that the user changed for the upload, and wakes its bodies. The caller has reserved JOINT_COMMANDS
+// commands. restarts: its constraint begins again, without impulses, and chains are found again.
 void joint_changed(scree_world* world, int index, bool restarts);
 
 // The same for a change that wakes no body.
