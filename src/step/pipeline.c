@@ -253,6 +253,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	if (request->dt > 0.0f && request->sleep)
 		count_quiet(pipeline);
 	pipeline->sleeps = request->sleep;
+	pipeline->listed = step.sleep;
 	pipeline->settles = pipeline->settles && request->dt == 0.0f;
 	pipeline->jumps = false;
 	pipeline->reverted = false;

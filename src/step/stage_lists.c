@@ -105,7 +105,7 @@ scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
 	runs_add_single(list, KERNEL_step_begin);
-	if (step->sleep && !pipeline->sleeps)
+	if (step->sleep && !pipeline->listed)
 		list_all_groups(pipeline, step, bodies);
 	runs_add(list, KERNEL_transform, 0, group_items(step->collidables), visits(step, GROUPS_OF_COLLIDABLES), 0);
 	for (int t = 0; t < 2; ++t)
@@ -129,7 +129,7 @@ scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 	}
 	// the static tree changes only if the user moved something in it, or the device sorted its leaves
 	const TreeState* moving = &pipeline->trees[0];
-	if (step->sleep && pipeline->sleeps && !moving->touched && !pipeline->jumps)
+	if (step->sleep && pipeline->listed && !moving->touched && !pipeline->jumps)
 		tree_refit_stale(list, &moving->tree, step);
 	else
 		tree_refit(list, &moving->tree, 0, moving->touched || step->sleep ? NO_COUNT : COUNT(refit));

@@ -35,7 +35,7 @@ scree_status touched_collect(scree_world* world)
 	t->count = 0;
 	for (int kind = 0; kind < GROUP_KINDS; ++kind)
 		t->last[kind] = 0;
-	if (!world->pipeline.sleeps) // the next step, if the world then sleeps, makes all groups active
+	if (!world->pipeline.listed) // the next step, if the world then sleeps, makes all groups active
 		return SCREE_OK;
 	for (int k = 0; k < p->body_count; ++k)
 		TRY(add_body(world, p->bodies[k].index));
