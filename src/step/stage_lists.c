@@ -352,5 +352,6 @@ void list_fields(Pipeline* pipeline, const Step* step, const StepRequest* reques
 		runs_add(list, KERNEL_field_shape, 0, group_items(request->collidables),
 		         bound == NO_COUNT ? visits(step, GROUPS_OF_COLLIDABLES) : bound, fields);
 	int visited = bound == NO_COUNT ? visits(step, GROUPS_OF_BODIES) : step->sleep ? COUNT(kept_bodies) : bound;
-	runs_add(list, KERNEL_field_body, 0, group_items(request->bodies), visited, RUN_PAIR(request->field_shapes, fields));
+	runs_add(list, KERNEL_field_body, 0, group_items(request->bodies), visited,
+	         RUN_PAIR(request->field_shapes, fields));
 }

@@ -60,8 +60,10 @@ scree_status touched_upload(scree_world* world)
 	Touched* t = &world->touched;
 	Backend* b = world->backend;
 	Step step = {0};
-	Run run = {
-	    .kernel_id = KERNEL_group_touch, .end = t->count, .count = NO_COUNT, .argument = changes_collidable(&world->edits)};
+	Run run = {.kernel_id = KERNEL_group_touch,
+	           .end = t->count,
+	           .count = NO_COUNT,
+	           .argument = changes_collidable(&world->edits)};
 	if (t->count == 0)
 		return SCREE_OK;
 	TRY(b->f->write(b, POOL_key, 0, t->count, t->keys));
