@@ -60,7 +60,7 @@ static const Per group_pers[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTAC
 
 static int group_count(const Backend* b, int kind) { return b->capacity[group_pers[kind]] / GROUP_ITEMS; }
 
-// Lists the runs that make all groups of items active, in the first step of a world that sleeps.
+// Lists the runs that make all groups of items active, in the first step in which the world sleeps.
 static void list_all_groups(Pipeline* pipeline, const Step* step, int bodies)
 {
 	const int items[GROUP_KINDS] = {bodies, step->collidables, 0};
@@ -86,7 +86,7 @@ static void list_group_order(Pipeline* pipeline, int kind)
 	runs_add(list, KERNEL_group_ordered, 0, 1, count, kind);
 }
 
-// Lists the runs that find the groups that later steps skip.
+// Lists the runs that find the groups that rest from the next step on.
 static void list_group_search(Pipeline* pipeline)
 {
 	RunList* list = &pipeline->list;

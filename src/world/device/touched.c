@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// touched.c -- ends the rest of groups of items that the user changes, in a world that sleeps. The device knows only the
-// items that commands name; the host also has the collidables of a body.
+// touched.c -- ends the rest of groups of items that the user changes, in a world that sleeps. A command for a body may
+// also change its collidables, whose groups the host adds.
 #include "world/device/touched.h"
 #include "platform/error.h"
 #include "step/reserve.h"
