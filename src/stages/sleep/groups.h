@@ -121,8 +121,8 @@ KERNEL(group_order)
 		groups_of(p, kind)[p->scan[i]] = i;
 }
 
-// Sets the number of bodies that a solve visits if the host launches it before it has read the counters. The number is 0
-// if the layout changed; the host then launches another solve.
+// Sets the number of bodies that a solve visits if the host launches it before it has read the counters. The number is
+// 0 if the layout changed; the host then launches another solve.
 KERNEL(solve_bound)
 {
 	p->counters->kept_bodies = p->counters->kept ? p->counters->active_items[GROUPS_OF_BODIES] : 0;
