@@ -167,14 +167,14 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 	KERNEL_FUNCTION(name, name, (void)0, SPREAD_NOT) \
 	INLINE void name##_item(const Pools* p, int i)
 #define WIDE_KERNEL(name) KERNEL(name)
-#define LIST_KERNEL(name, list, length)                           \
-	INLINE int name##_listed(const Pools* p, int i);              \
-	KERNEL(name)                                                  \
-	{                                                             \
-		int item = name##_listed(p, i);                           \
-		if (item >= 0)                                            \
+#define LIST_KERNEL(name, list, length)                              \
+	INLINE int name##_listed(const Pools* p, int i);                 \
+	KERNEL(name)                                                     \
+	{                                                                \
+		int item = name##_listed(p, i);                              \
+		if (item >= 0)                                               \
 			p->list[atomic_add_int(&p->counters->length, 1)] = item; \
-	}                                                             \
+	}                                                                \
 	INLINE int name##_listed(const Pools* p, int i)
 #define GROUP_KERNEL(name)                                                                            \
 	INLINE_MEET void name##_group(const Pools* p, int i, LOCAL float* bench);                         \

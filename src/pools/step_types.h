@@ -90,7 +90,7 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 
 #define STEP_RARE(step) ((step).has_rolling | (step).details) // not 0 if the rare rows of contacts are used
 
-#define TREE_STALE_ONLY 2 // bit of the argument of the kernel tree_node: only marked nodes are computed again
+#define TREE_STALE_ONLY 2 // bit of the argument of the kernel tree_node: items are the nodes in stale_nodes
 
 // Kinds of items whose groups a step may skip, in a world that sleeps.
 #define GROUPS_OF_BODIES      0

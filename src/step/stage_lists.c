@@ -60,7 +60,7 @@ static const Per group_pers[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTAC
 
 static int group_count(const Backend* b, int kind) { return b->capacity[group_pers[kind]] / GROUP_ITEMS; }
 
-// Lists the runs that make all groups of items active, in the first step of a world that sleeps.
+// Lists the runs that make all groups of items active, in the first step in which the world sleeps.
 static void list_all_groups(Pipeline* pipeline, const Step* step, int bodies)
 {
 	const int items[GROUP_KINDS] = {bodies, step->collidables, 0};
@@ -86,7 +86,7 @@ static void list_group_order(Pipeline* pipeline, int kind)
 	runs_add(list, KERNEL_group_ordered, 0, 1, count, kind);
 }
 
-// Lists the runs that find the groups that later steps skip.
+// Lists the runs that find the groups that rest from the next step on.
 static void list_group_search(Pipeline* pipeline)
 {
 	RunList* list = &pipeline->list;
@@ -352,5 +352,6 @@ void list_fields(Pipeline* pipeline, const Step* step, const StepRequest* reques
 		runs_add(list, KERNEL_field_shape, 0, group_items(request->collidables),
 		         bound == NO_COUNT ? visits(step, GROUPS_OF_COLLIDABLES) : bound, fields);
 	int visited = bound == NO_COUNT ? visits(step, GROUPS_OF_BODIES) : step->sleep ? COUNT(kept_bodies) : bound;
-	runs_add(list, KERNEL_field_body, 0, group_items(request->bodies), visited, RUN_PAIR(request->field_shapes, fields));
+	runs_add(list, KERNEL_field_body, 0, group_items(request->bodies), visited,
+	         RUN_PAIR(request->field_shapes, fields));
 }

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 // active.h -- lists the groups of bodies, collidables and contacts that a step visits, in a world that sleeps.
 //
-// A group is GROUP_ITEMS adjacent items. A step skips a group whose items cannot change: they sleep, or are static and
-// were not changed by the user. A change ends the rest of a group at once: the group is appended to the list. A group
-// is skipped after two searches of islands in which no item of it was live, so that at least one step has visited it
-// since its last change. The list is sorted then; the result of a step does not depend on its order.
+// A group is GROUP_ITEMS adjacent items. It is active, or it rests. A step visits only the items of active groups. A
+// visit to an item of a group that rests would change nothing: the item sleeps, or is static and was not changed by the
+// user. A change ends the rest at once: the group is appended to the list of active groups. A group rests after
+// GROUP_VISITS searches of islands that found no live item in it (groups.h), so that at least one step has visited it
+// since its last change. Lists are sorted after groups were appended or left out. The order matters only for contacts:
+// their layout by color begins with the order of the list, so that list is sorted before the layout.
 #ifndef ACTIVE_H
 #define ACTIVE_H
 #include "dialect/dialect.h"
 #include "pools/pools.h"
 
-#define GROUP_VISITS 2 // value of a group's state after a change
+#define GROUP_VISITS 2 // state of a group after a change
+
+// Returns the states of the groups of a kind: the number of searches of islands until a group rests; 0 if it rests.
 
 INLINE GLOBAL int* group_states(const Pools* p, int kind)
 {
@@ -19,6 +23,7 @@ INLINE GLOBAL int* group_states(const Pools* p, int kind)
 	                                       : p->contact_group_state;
 }
 
+// Returns the list of the active groups of a kind. Counters.active_items has its length.
 INLINE GLOBAL int* groups_of(const Pools* p, int kind)
 {
 	return kind == GROUPS_OF_BODIES        ? p->body_groups
@@ -26,15 +31,17 @@ INLINE GLOBAL int* groups_of(const Pools* p, int kind)
 	                                       : p->contact_groups;
 }
 
-// Returns the item that a kernel visits as number i. In a world that does not sleep, kernels visit all items.
+// Returns number i of the items of active groups.
 INLINE int listed_item(const Pools* p, int kind, int i)
 {
 	return groups_of(p, kind)[i >> GROUP_BITS] << GROUP_BITS | (i & (GROUP_ITEMS - 1));
 }
 
+// Returns the item that a kernel visits as number i. In a world that does not sleep, kernels visit all items.
 INLINE int active_item(const Pools* p, int kind, int i) { return p->step.sleep ? listed_item(p, kind, i) : i; }
 
-// Ends the rest of the group of an item. Returns whether the group was skipped until now.
+// Ends the rest of the group of an item. Returns whether the group rested until now. If several work-items do this at
+// once, the one whose atomic maximum replaces 0 appends the group to the list.
 INLINE int active_touch(const Pools* p, int kind, int item)
 {
 	int group = item >> GROUP_BITS;
@@ -47,7 +54,7 @@ INLINE int active_touch(const Pools* p, int kind, int item)
 	return 1;
 }
 
-// Likewise for a body and its collidables.
+// Ends the rest of the groups of a body and of its collidables.
 INLINE void active_touch_body(const Pools* p, int i)
 {
 	active_touch(p, GROUPS_OF_BODIES, i);

@@ -40,8 +40,8 @@ INLINE void island_wake_both(const Pools* p, Int2 bodies)
 		island_wake(p, bodies.y, WAKE_WORLD);
 }
 
-// The same when a contact ends. flags: its flags before; an overlap, or a pending contact, wakes nothing. A body that was
-// created asleep since the last step did not touch anything: the touch was that of an earlier body of its slot.
+// The same when a contact ends. flags: its flags before; an overlap, or a pending contact, wakes nothing. A body that
+// was created asleep since the last step did not touch anything: the touch was that of an earlier body of its slot.
 INLINE void island_wake_parted(const Pools* p, Int2 bodies, Word flags)
 {
 	if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)

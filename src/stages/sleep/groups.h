@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// groups.h -- finds the groups of items that a step may skip, and sorts the lists of the others (active.h).
+// groups.h -- finds the groups of items that may rest, and sorts the lists of active groups (active.h).
+//
+// An item is live if the next step may change it. In every SLEEP_STEPS-th step, group_sink, group_keep and group_check
+// run over the items of active groups: the state of a group sinks by 1, and is GROUP_VISITS again if an item is live. A
+// group whose state is 0 rests.
 #ifndef GROUPS_H
 #define GROUPS_H
 #include "stages/edit/active.h"
 #include "stages/sleep/island.h"
 
+// Returns whether a body may move, or is the ground.
 INLINE int body_is_live(const Pools* p, int i)
 {
 	if (body_can_move(p, i))
@@ -12,6 +17,7 @@ INLINE int body_is_live(const Pools* p, int i)
 	return i == 0 || body_is_moving(p, i); // item 0 of some kernels also does work that is needed once per step
 }
 
+// Returns whether the pose, the box or the shape of a collidable may change, or changed in this step.
 INLINE int collidable_is_live(const Pools* p, int i)
 {
 	int body = p->collidable_body[i];
@@ -40,8 +46,8 @@ INLINE int group_item_is_live(const Pools* p, int kind, int i)
 	                                       : contact_is_live(p, i);
 }
 
-// Item: the key of a group that the user changed: kind and number. Ends its rest. argument: 1 if the user changed a
-// collidable, so that contacts in groups that the step would skip may end.
+// Item: a key of touched.c: the kind and the number of a group that the user changed. Ends its rest. argument: 1 if the
+// user changed a collidable, so that contacts in groups that rest may end; contact_touch finds these.
 KERNEL(group_touch)
 {
 	int kind = (int)(p->key[i] >> 32), group = (int)(p->key[i] & (Word64)0xffffffffu);
@@ -50,7 +56,8 @@ KERNEL(group_touch)
 		raise_int(&p->counters->touched, 0x7fffffff);
 }
 
-// Item: a group. Lists all groups of a kind. argument: the kind, and the number of items of bodies or collidables.
+// Item: a group. Makes all groups of a kind active, and counts the free slots of groups of contacts. argument: the
+// kind, and the number of bodies or collidables.
 KERNEL(group_reset)
 {
 	int kind = RUN_LOW(p->argument);
@@ -74,7 +81,8 @@ KERNEL(contact_touch)
 		active_touch(p, GROUPS_OF_CONTACTS, i);
 }
 
-// Item: an item of an active group; the first one counts a search of islands for the group. argument: the kind.
+// Item: an item of an active group. The first item of each group lowers its state, unless the step runs again because
+// a pool was too small. argument: the kind.
 KERNEL(group_sink)
 {
 	int kind = p->argument, item = listed_item(p, kind, i);
@@ -82,6 +90,7 @@ KERNEL(group_sink)
 		--group_states(p, kind)[item >> GROUP_BITS];
 }
 
+// Item: an item of an active group. Keeps the group active if the item is live. argument: the kind.
 KERNEL(group_keep)
 {
 	int kind = p->argument, item = listed_item(p, kind, i);
@@ -89,6 +98,8 @@ KERNEL(group_keep)
 		raise_int(group_states(p, kind) + (item >> GROUP_BITS), GROUP_VISITS);
 }
 
+// Item: an item of an active group. The first item of each group requests a new list if the group rests now. argument:
+// the kind.
 KERNEL(group_check)
 {
 	int kind = p->argument, item = listed_item(p, kind, i);
@@ -96,9 +107,11 @@ KERNEL(group_check)
 		raise_int(&p->counters->relist[kind], 0x7fffffff);
 }
 
-// Item: a group, or the end of the scan. argument: the kind, and the number of groups.
+// Item: a group, or the end of the scan. Marks active groups. argument: the kind, and the number of groups.
 KERNEL(group_mark) { p->scan[i] = i < RUN_HIGH(p->argument) && group_states(p, RUN_LOW(p->argument))[i] != 0; }
 
+// The same items. Lists the active groups in ascending order after the scan, in which scan[i] is the number of active
+// groups before group i.
 KERNEL(group_order)
 {
 	int kind = RUN_LOW(p->argument);
@@ -108,13 +121,15 @@ KERNEL(group_order)
 		groups_of(p, kind)[p->scan[i]] = i;
 }
 
-// Sets the number of bodies that a solve visits if it begins before the host has read the counters.
+// Sets the number of bodies that a solve visits if the host launches it before it has read the counters. The number is
+// 0 if the layout changed; the host then launches another solve.
 KERNEL(solve_bound)
 {
 	p->counters->kept_bodies = p->counters->kept ? p->counters->active_items[GROUPS_OF_BODIES] : 0;
 	(void)i;
 }
 
+// Notes that a list is sorted. argument: the kind.
 KERNEL(group_ordered)
 {
 	p->counters->relist[p->argument] = 0;

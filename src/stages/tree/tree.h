@@ -55,7 +55,7 @@ INLINE void tree_mark_above(const Pools* p, const GLOBAL Tree* tree, int level, 
 	p->stale_nodes[first + atomic_add_int(&p->counters->stale_nodes[level], 1)] = node;
 }
 
-// Item: an updated collidable, in a world that sleeps. Updates the box of its leaf in tree 0, and marks the node above.
+// Item: an updated collidable, in a world that sleeps. Updates the box of its leaf in tree 0, and lists the node above.
 KERNEL(leaf_update)
 {
 	const GLOBAL Tree* tree = p->tree;
@@ -86,7 +86,8 @@ INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int 
 	return movers;
 }
 
-// Item: a node of a level. Computes its box and its mask (tree_movers). argument: the tree, TREE_STALE_ONLY, the level.
+// Item: a node of a level, or with TREE_STALE_ONLY a listed node, whose parent is then listed. Computes its box and its
+// mask (tree_movers). argument: the tree, TREE_STALE_ONLY, the level.
 KERNEL(tree_node)
 {
 	int t = RUN_LOW(p->argument) & 1, level = RUN_HIGH(p->argument);

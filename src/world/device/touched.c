@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// touched.c -- ends the rest of groups of items that the user changes, in a world that sleeps. The device knows only the
-// items that commands name; the host also has the collidables of a body.
+// touched.c -- ends the rest of groups of items that the user changes, in a world that sleeps. A command for a body may
+// also change its collidables, whose groups the host adds.
 #include "world/device/touched.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -60,8 +60,10 @@ scree_status touched_upload(scree_world* world)
 	Touched* t = &world->touched;
 	Backend* b = world->backend;
 	Step step = {0};
-	Run run = {
-	    .kernel_id = KERNEL_group_touch, .end = t->count, .count = NO_COUNT, .argument = changes_collidable(&world->edits)};
+	Run run = {.kernel_id = KERNEL_group_touch,
+	           .end = t->count,
+	           .count = NO_COUNT,
+	           .argument = changes_collidable(&world->edits)};
 	if (t->count == 0)
 		return SCREE_OK;
 	TRY(b->f->write(b, POOL_key, 0, t->count, t->keys));

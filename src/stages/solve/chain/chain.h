@@ -190,8 +190,9 @@ INLINE_MEET void chain_pass(const Pools* p, Chain chain, int pass)
 		chain_locks(p, &chain, pass);
 }
 
-// Sets chain_live of item i, in a world that sleeps. spots: number of spots of the chain or branch, from `first` on; more
-// may be tested. Called by a whole group, after chain_live was cleared.
+// Sets chain_live of item i if some joint of it acts, in a world that sleeps. first, spots: range of spots of joints.
+// Spots of interleaved chains may lie between; if only joints of these act, the item is solved, and nothing changes.
+// Called by a whole group, after chain_live was cleared.
 INLINE void chain_look(const Pools* p, int i, int first, int spots)
 {
 	int begin = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS];
