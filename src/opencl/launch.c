@@ -5,10 +5,6 @@
 #include "platform/error.h"
 #include <string.h>
 
-// Number of work-items of a launch in addition to 1.5 times the likely number of items. A launch with work-items for all
-// items that a counter allows would take longer, in a world of which most sleeps: 0.1 ms a step for a million bodies.
-#define LAUNCH_ROOM 16384
-
 // maximum number of work-groups per compute unit; in longer runs, a work-item executes several items
 #define GROUPS_A_UNIT 64
 
@@ -118,31 +114,13 @@ scree_status kernel_run(OpenCl* d, const Run* run)
 	return kernel_run_within(d, run, kernel_widths[run->kernel_id] >= WIDTH_GROUP ? 1 : group, GROUPS_A_UNIT);
 }
 
-int likely_items(const OpenCl* d, const Run* run)
-{
-	int end = run->end;
-	if (run->count >= 0)
-	{
-		int bound = ((const int*)&d->persistent.last)[run->count];
-		end = bound < end ? bound : end;
-	}
-	return end - run->begin;
-}
-
-int items_with_room(const OpenCl* d, const Run* run)
-{
-	int likely = likely_items(d, run), most = run->end - run->begin;
-	likely = likely > 0 ? likely : 0;
-	return likely < (most - LAUNCH_ROOM) / 2 ? likely + likely / 2 + LAUNCH_ROOM : most;
-}
-
 scree_status kernel_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit)
 {
 	Kernel* kernel = kernel_function(d, run->kernel_id);
 	d->timing.stage = kernel_stages[run->kernel_id];
 	TRY(kernel_step(d, kernel));
 	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_FIRST, sizeof *run, run));
-	size_t items = (size_t)items_with_room(d, run);
+	size_t items = (size_t)(run->end - run->begin);
 	size_t groups = (items + items_a_group - 1) / items_a_group;
 	size_t most = (size_t)d->device.about.compute_units * groups_a_unit;
 	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);

@@ -42,13 +42,6 @@ void step_set(OpenCl* d, const Step* step);
 // Sets the step as an argument of a kernel, if it has changed since the last call for this kernel.
 scree_status kernel_step(OpenCl* d, Kernel* kernel);
 
-// Returns the number of items of a run, estimated with the counters that the host has last read.
-int likely_items(const OpenCl* d, const Run* run);
-
-// Returns the number of items for which a launch of a run has work-items: more than likely_items, at most all items. If
-// there are more items after all, a work-item executes several.
-int items_with_room(const OpenCl* d, const Run* run);
-
 // Launch a run. kernel_run_within gives a work-group items_a_group items, or more if there would otherwise be more than
 // groups_a_unit work-groups per compute unit.
 scree_status kernel_run(OpenCl* d, const Run* run);

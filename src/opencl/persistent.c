@@ -111,9 +111,23 @@ void persistent_close(OpenCl* d)
 	scree_release(own->listed);
 }
 
+static int item_count(const Run* run) { return run->end - run->begin; }
+
 static bool is_left_out(const Run* run)
 {
 	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;
+}
+
+// Returns the number of items of a run, estimated with the counters that the host has last read.
+static int likely_items(const OpenCl* d, const Run* run)
+{
+	int end = run->end;
+	if (run->count >= 0)
+	{
+		int bound = ((const int*)&d->persistent.last)[run->count];
+		end = bound < end ? bound : end;
+	}
+	return end - run->begin;
 }
 
 // Returns the stage of a run: for a primitive, the stage of the run before it.
@@ -142,7 +156,7 @@ scree_status persistent_run(OpenCl* d, const Run* runs, int count)
 {
 	int largest = 1, group = (int)d->persistent.kernel.group;
 	for (int k = 0; k < count; ++k)
-		largest = items_with_room(d, &runs[k]) > largest ? items_with_room(d, &runs[k]) : largest;
+		largest = item_count(&runs[k]) > largest ? item_count(&runs[k]) : largest;
 	int groups = (largest - 1) / group + 1;
 	d->timing.stage = stage_of(runs, d->timing.stage);
 	return launch_list(d, runs, count, groups < d->persistent.groups ? groups : d->persistent.groups, SPINS);
