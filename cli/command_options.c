@@ -23,6 +23,14 @@ static bool read_theme(Options* options, const Option* option, char* text)
 	return refuse_value(options, option, text, "be light or dark");
 }
 
+static bool read_sleep(Options* options, const Option* option, char* text)
+{
+	options->sleep = strcmp(text, "on") == 0 ? SLEEP_ON : SLEEP_OFF;
+	if (options->sleep == SLEEP_ON || strcmp(text, "off") == 0)
+		return true;
+	return refuse_value(options, option, text, "be on or off");
+}
+
 static bool read_scale(Options* options, const Option* option, char* text)
 {
 	char extra;
@@ -33,6 +41,9 @@ static bool read_scale(Options* options, const Option* option, char* text)
 
 static const Option device = {"device", 'd', "NAME", "auto, cpu, opencl, or opencl:NAME with part of a device's name",
                               TEXT(Options, device)};
+static const Option sleep_option = {"sleep", 'e', "NAME",
+                                    "on or off: whether bodies at rest fall asleep; default: that of the scene",
+                                    OTHER(read_sleep)};
 static const Option renderer = {"renderer", 'R', "NAME",
                                 "renderer of pictures and video: cairo, or gl, which draws on a GPU; default cairo",
                                 OTHER(read_renderer)};
@@ -76,6 +87,7 @@ static const OptionRow rows[] = {
     {&option_lanes, WORLDS},
     {&option_allow_unequal_bits, WORLDS},
     {&option_set, WORLDS & ~VALIDATE},
+    {&sleep_option, WORLDS & ~VALIDATE},
     {&option_picture, RUN},
     {&option_video, RUN},
     {&option_size, RUN | FRAMES | VIEW},

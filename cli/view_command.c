@@ -13,6 +13,7 @@ int view_command(const Options* options)
 	                    .threads = options->threads,
 	                    .lanes = options->lanes,
 	                    .allow_unequal_bits = options->allow_unequal_bits,
+	                    .sleep = options->sleep,
 	                    .settings = options->settings,
 	                    .setting_count = options->setting_count,
 	                    .width = options->width,

@@ -22,6 +22,7 @@ bool evaluate_churn(Reader* reader, const Block* block, uint64_t serial, scree_b
 		return false;
 	body->pose = churn.pose;
 	body->velocity = churn.velocity;
+	body->asleep = false; // "asleep" is a state at the start; here a body gets another pose and velocity
 	return true;
 }
 

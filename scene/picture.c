@@ -5,6 +5,7 @@
 #include "scene/links.h"
 #include "scene/regions.h"
 #include "scene/scan_picture.h"
+#include "scene/sleepers.h"
 #include "scene/sprites.h"
 #include "scene/viewport.h"
 
@@ -30,6 +31,7 @@ struct Picture
 	scree_box view; // m
 	Detail detail;  // detail of the scene; Detail.pixels is null if there is no detail
 	Sprites sprites;
+	bool* awake; // one per body of Sprites.bodies; null if the world does not sleep
 	Links links;
 	FieldRegions regions;
 	scree_world* world;
@@ -69,6 +71,7 @@ void picture_free(Picture* p)
 		return;
 	canvas_close(&p->canvas);
 	sprites_free(&p->sprites);
+	free(p->awake);
 	links_free(&p->links);
 	regions_free(&p->regions);
 	scan_close(&p->scan);
@@ -149,6 +152,14 @@ static void make_path(Picture* p, const scree_shape* shape, scree_pose pose)
 	cairo_close_path(p->cairo);
 }
 
+// Returns true if a body is asleep. body: its index in Sprites.bodies, -1 for the world.
+static bool asleep(const Picture* p, int body) { return p->awake && body >= 0 && !p->awake[body]; }
+
+static Color sprite_color(const Picture* p, const Sprite* s)
+{
+	return asleep(p, s->body) ? shades_dim(s->color, BACKGROUND_COLOR) : s->color;
+}
+
 // Returns true if a shape and its outline are outside the picture.
 static bool unseen(const Picture* p, const scree_shape* shape, scree_pose pose)
 {
@@ -217,7 +228,8 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 		cairo_stroke(p->cairo);
 		return;
 	}
-	set_color(p->cairo, s->color, 1);
+	Color color = sprite_color(p, s);
+	set_color(p->cairo, color, 1);
 	if (reach < OUTLINED)
 	{
 		cairo_fill(p->cairo);
@@ -238,7 +250,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 		cairo_move_to(p->cairo, x, y);
 		cairo_line_to(p->cairo, x + spoke * pose.rotation.c, y - spoke * pose.rotation.s);
 	}
-	set_color(p->cairo, s->color, 0.62);
+	set_color(p->cairo, color, 0.62);
 	cairo_stroke(p->cairo);
 }
 
@@ -271,6 +283,8 @@ static void draw_link(Picture* p, const Link* link, const scree_pose* poses)
 		length += k ? hypot(x[k] - x[k - 1], y[k] - y[k - 1]) : 0;
 	}
 	double pin = fmin(0.04 * p->viewport.scale, 2.5);
+	bool dim = asleep(p, link->bodies[0]) || asleep(p, link->bodies[1]); // joined bodies sleep together
+	set_color(p->cairo, dim ? shades_dim(ink, BACKGROUND_COLOR) : ink, 1);
 	cairo_new_path(p->cairo);
 	for (int k = 0; length >= LINKED && k < count; ++k)
 		cairo_line_to(p->cairo, x[k], y[k]);
@@ -335,7 +349,7 @@ static scree_status draw_view(Picture* p, scree_box view, const scree_pose* pose
 			if (unseen(p, shape, pose) || (is_splat && s->sensor))
 				continue; // a sensor of this size has an invisible outline
 			if (is_splat)
-				draw_splat(p, shape, pose, s->color);
+				draw_splat(p, shape, pose, sprite_color(p, s));
 			else
 				draw_sprite(p, s, pose);
 		}
@@ -357,7 +371,10 @@ scree_status picture_draw(Picture* p, const scree_pose* poses, const char* capti
 	bool both = p->detail.pixels;
 	if (!p->has_view)
 		fit_view(p, poses);
-	scree_status status = both ? draw_view(p, p->detail.part, poses) : SCREE_OK;
+	scree_status status = sleepers_read(p->world, p->sprites.bodies, p->sprites.body_count, &p->awake);
+	if (status != SCREE_OK)
+		return status;
+	status = both ? draw_view(p, p->detail.part, poses) : SCREE_OK;
 	if (both && status == SCREE_OK)
 		detail_keep(&p->detail, &p->canvas);
 	if (status == SCREE_OK)

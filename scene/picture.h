@@ -18,8 +18,8 @@ const scree_body* picture_bodies(const Picture* picture, int* count);
 // Shows this box of the world, in place of the view of the scene and of its detail.
 void picture_aim(Picture* picture, scree_box view);
 
-// Draws joints, sensors, fields, rays, and the bodies at the given poses. Writes the title of the scene and a caption.
-// Fails if a ray cast fails.
+// Draws joints, sensors, fields, rays, and the bodies at the given poses. Bodies that are asleep are dim. Writes the
+// title of the scene and a caption. Fails if a ray cast fails or if memory is short.
 scree_status picture_draw(Picture* picture, const scree_pose* poses, const char* caption);
 
 // Returns the canvas of the pictures.

@@ -114,4 +114,17 @@ typedef struct // setting of a parameter by --set NAME=VALUE
 	const char* value; // number, or expression without names
 } SceneSetting;
 
+typedef enum // setting of a user that replaces the key "sleep" of a scene
+{
+	SLEEP_OF_SCENE, // no such setting
+	SLEEP_OFF,
+	SLEEP_ON,
+} SceneSleep;
+
+// Returns whether the world of a scene sleeps.
+static inline bool scene_sleeps(const Scene* scene, SceneSleep sleep)
+{
+	return sleep == SLEEP_OF_SCENE ? scene->world.sleep : sleep == SLEEP_ON;
+}
+
 #endif

@@ -32,6 +32,16 @@ Color shades_color(const Shades* shades, int shade, uint32_t body)
 	               channel(a->b, b->b, c->b, place, factor)};
 }
 
+static uint8_t dim(uint8_t own, uint8_t background)
+{
+	return (uint8_t)(ASLEEP_SHARE * own + (1.0f - ASLEEP_SHARE) * background + 0.5f);
+}
+
+Color shades_dim(Color color, Color background)
+{
+	return (Color){dim(color.r, background.r), dim(color.g, background.g), dim(color.b, background.b)};
+}
+
 // Returns the shade of a body. place: its place among the bodies of its block, from 0 to 1. A block with several
 // attributes, which have different hues, uses only the middle half of the shades.
 static int shade_at(const Block* block, double place)

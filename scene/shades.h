@@ -26,6 +26,11 @@ Shades shades_of(int entry);
 // differ. row.glsl uses the same formula.
 Color shades_color(const Shades* shades, int shade, uint32_t body);
 
+#define ASLEEP_SHARE 0.4f // share of its own color in the color of a sleeping body; row.glsl uses the same number
+
+// Returns the dim color of a sleeping body: a mixture with the color of the background.
+Color shades_dim(Color color, Color background);
+
 typedef struct // state of a loop over the bodies of a scene in the order of their indices
 {
 	const Scene* scene; // null: all bodies get the middle shade

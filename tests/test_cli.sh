@@ -38,6 +38,8 @@ refuse 2 '--steps 3x' run pile --steps 3x
 refuse 2 '--threads 65: must be' run pile --threads 65
 refuse 2 '--lanes 3: must be 1, 4, 8 or 16' run pile --lanes 3
 refuse 2 '--set rows: must be NAME=VALUE' run pyramid --set rows
+refuse 2 '--sleep yes: must be on or off' run pile --sleep yes
+refuse 2 'takes no --sleep' validate --sleep on
 refuse 2 '--size 10: must be WxH' run pile --size 10
 refuse 2 '--picture a.jpg: must end in .png' run pile --picture a.jpg
 refuse 2 '--video a.txt: must end in .mp4' run pile --video a.txt
@@ -123,6 +125,20 @@ expect 0 ',180,' bench "${few[@]}" --repeats 1
 grep -q ",$answers,0" out || fail "bench: another hash of rays"
 expect 0 'robots=1000 rays=1000' scenes
 "$scree" run pyramid "${small[@]}" | grep -q rays && fail "run: rays of a scene that casts none"
+
+# sleep: an option replaces the setting of a scene, in every command that steps one
+printf '{"name":"nap","title":"y","world":{"sleep":true},"attributes":{"a":{"circle":1}},"bodies":[{"attribute":"a","asleep":true}]}' \
+	>nap.json
+sed 's/"world":{"sleep":true},//' nap.json >fall.json
+nap=$("$scree" hash nap.json --steps 5 --device cpu) fall=$("$scree" hash fall.json --steps 5 --device cpu)
+[ "$nap" != "$fall" ] || fail "hash: a ball that sleeps falls"
+for command in hash run "bench --repeats 1" "bench --whole --repeats 1"; do
+	read -ra words <<<"$command"
+	expect 0 "$nap" "${words[@]}" nap.json --steps 5 --device cpu
+	expect 0 "$nap" "${words[@]}" fall.json --steps 5 --device cpu --sleep on
+	expect 0 "$fall" "${words[@]}" nap.json --steps 5 --device cpu --sleep off
+done
+expect 0 'nap,--sleep=off,' bench nap.json --repeats 1 --steps 5 --device cpu --sleep off
 
 # hash
 expect 0 '' hash pyramid "${small[@]}"

@@ -46,11 +46,19 @@ static void lines_follow_joints(void** state)
 
 	// dots at both anchors, a line between the anchors, and a line to the center of the box; the line to the center is
 	// red because it has the largest load
-	joint_lines_mark(&lines, &strokes, &camera, &(Style){.detail = 1.0f});
+	joint_lines_mark(&lines, tables.awake, &strokes, &camera, &(Style){.detail = 1.0f});
 	assert_int_equal(strokes.count, 4);
 	NEAR(strokes.list[1].a.y, 7.0f, 0.01f);
 	NEAR(strokes.list[1].b.y, 5.0f, 0.01f);
 	assert_true(strokes.list[1].color[0] > 200 && strokes.list[1].color[1] < 60);
+	// the same line is dim if the box is asleep: 0.4 times its color, and 0.6 times that of the background, 247, 245, 240
+	const Stroke red = strokes.list[1];
+	const bool awake[3] = {false, true, true};
+	strokes.count = 0;
+	joint_lines_mark(&lines, awake, &strokes, &camera, &(Style){.detail = 1.0f});
+	assert_int_equal(strokes.count, 4);
+	NEAR(strokes.list[1].color[0], 0.4f * (float)red.color[0] + 0.6f * 247.0f, 1.0f);
+	NEAR(strokes.list[1].color[1], 0.4f * (float)red.color[1] + 0.6f * 245.0f, 1.0f);
 	joint_lines_close(&lines);
 	free(strokes.list);
 	scree_world_destroy(world);

@@ -18,6 +18,7 @@ stages/color
 stages/rules
 stages/broad_phase
 stages/narrow_phase
+stages/sleep
 stages/field
 stages/solve/hub stages/solve/chain
 stages/solve
@@ -35,7 +36,7 @@ world/objects
 world/chain
 world/device
 world/upload
-world/create world/pool_read
+world/create world/pool_read world/own_queries
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover'
 

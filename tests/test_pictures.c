@@ -2,6 +2,7 @@
 // test_pictures.c -- checks contents of pictures: shades of bodies, a moving camera, the place of a detail.
 #include "scene/detail.h"
 #include "scene/shades.h"
+#include "scene/sleepers.h"
 #include "support/scene_text.h"
 #include <math.h>
 #include <string.h>
@@ -47,6 +48,31 @@ static void shades_have_three_colors(void** state)
 	Shades first = shades_of(0), again = shades_of(8), still = shades_of(-1);
 	assert_memory_equal(&first, &again, sizeof first);
 	assert_memory_equal(&still.first, &still.last, sizeof still.first);
+}
+
+// A picture reads which bodies are asleep, and only if the world sleeps. The color of a sleeping body is 0.4 times its own
+// and 0.6 times that of the background.
+static void sleepers_are_dim(void** state)
+{
+	(void)state;
+	ScenePlayer player =
+	    open_text(SCRATCH, HEAD GOOD_ATTRIBUTES
+	              "\"world\": {\"sleep\": true}, \"bodies\": [{\"attribute\": \"a\"}, {\"attribute\": \"a\", "
+	              "\"position\": [9, 0], \"asleep\": true}, {\"type\": \"static\", \"attribute\": \"a\"}]}");
+	scree_body bodies[3];
+	scree_tuning tuning;
+	bool* awake = NULL;
+	OK(player_step(&player));
+	OK(sleepers_read(player.world, bodies, 3, &awake));
+	assert_true(awake && awake[0] && !awake[1] && awake[2]);
+	OK(scree_world_get_tuning(player.world, &tuning));
+	tuning.sleep = false;
+	OK(scree_world_set_tuning(player.world, &tuning));
+	OK(sleepers_read(player.world, bodies, 3, &awake));
+	assert_null(awake);
+	close_text(&player);
+	Color dim = shades_dim((Color){10, 100, 200}, (Color){250, 0, 50});
+	assert_true(dim.r == 154 && dim.g == 40 && dim.b == 110);
 }
 
 // A camera moves from a view 100 m wide to a view 1 m wide. Halfway the view is 10 m wide, because the camera magnifies
@@ -95,9 +121,8 @@ static void details_fill_wide_pictures(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(bodies_run_through_their_shades),
-	    cmocka_unit_test(shades_have_three_colors),
-	    cmocka_unit_test(cameras_magnify_steadily),
+	    cmocka_unit_test(bodies_run_through_their_shades), cmocka_unit_test(sleepers_are_dim),
+	    cmocka_unit_test(shades_have_three_colors),        cmocka_unit_test(cameras_magnify_steadily),
 	    cmocka_unit_test(details_fill_wide_pictures),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

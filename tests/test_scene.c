@@ -80,7 +80,8 @@ static void test_shipped(void** state)
 	    {"gears", 51, 719, 91},           {"coaster", 13, 21, 20},
 	    {"pond", 2028, 2048, 0},          {"blast", 730, 730, 0},
 	    {"lidar", 1941, 1951, 0},         {"platformer", 58, 58, 4},
-	    {"platforms", 279, 279, 0},
+	    {"platforms", 279, 279, 0},       {"city", 4153, 4153, 1308},
+	    {"alarm-clock", 170, 198, 32},
 	};
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);
@@ -109,19 +110,30 @@ static void test_shipped(void** state)
 	free(names);
 }
 
-// Ten million boxes stay within 5 km of the origin, where floats are 0.5 mm apart.
+// Ten million boxes stay within 5 km of the origin, and a city of ten million bodies within 8 km. There floats are 0.5 mm
+// apart.
 static void test_ten_million(void** state)
 {
 	(void)state;
 	skip_if_quick();
 	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
-	const SceneSetting settings[] = {{"columns", "426"}, {"rows", "427"}};
-	assert_true(scene_find("pyramids", NULL, path, sentence));
-	Scene* scene = scene_load(path, settings, 2, sentence);
-	assert_non_null(scene);
-	assert_true(scene->body_count > 10000000);
-	assert_true(scene->view.lower.x > -5000 && scene->view.lower.y > -5000);
-	scene_free(scene);
+	const struct
+	{
+		const char* name;
+		SceneSetting settings[2];
+		int count, least; // number of settings, and least number of bodies
+		float far;        // m
+	} cases[] = {{"pyramids", {{"columns", "426"}, {"rows", "427"}}, 2, 10000000, 5000},
+	             {"city", {{"bodies", "10000000"}}, 1, 9800000, 8000}};
+	for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k)
+	{
+		assert_true(scene_find(cases[k].name, NULL, path, sentence));
+		Scene* scene = scene_load(path, cases[k].settings, cases[k].count, sentence);
+		assert_non_null(scene);
+		assert_true(scene->body_count > cases[k].least);
+		assert_true(scene->view.lower.x > -cases[k].far && scene->view.lower.y > -cases[k].far);
+		scene_free(scene);
+	}
 }
 
 // Checks that a scene may have as many bodies as a world.
@@ -392,6 +404,47 @@ static void test_contact_details(void** state)
 	}
 }
 
+// Balls in the air fall unless they are asleep, and a ball is asleep only in a scene that sleeps. Balls that are replaced
+// are awake. Thresholds and stays_awake arrive at the bodies.
+static void test_sleep(void** state)
+{
+	(void)state;
+	for (int sleeps = 0; sleeps <= 1; ++sleeps)
+	{
+		char text[640];
+		snprintf(text, sizeof text,
+		         HEAD
+		         "\"world\": {\"sleep\": %s, \"sleep_threshold\": 0.25}, \"attributes\": {\"a\": {\"circle\": 1}}, "
+		         "\"bodies\": [{\"attribute\": \"a\", \"asleep\": true, \"sleep_threshold\": \"0.5 * i\", "
+		         "\"repeat\": {\"index\": \"i\", \"to\": 2}, \"position\": [\"9 * i\", 0]}, {\"attribute\": "
+		         "\"a\", \"position\": [18, 0], \"stays_awake\": true}, {\"attribute\": \"a\", \"asleep\": true, "
+		         "\"position\": [27, 0], \"churn\": {\"replaced\": 1, \"position\": [27, 90]}}]}",
+		         sleeps ? "true" : "false");
+		ScenePlayer player = open_text(SCRATCH, text);
+		scree_world* world = player.world;
+		scree_tuning tuning = {.size = sizeof tuning};
+		OK(scree_world_get_tuning(world, &tuning));
+		assert_true(tuning.sleep == sleeps && tuning.sleep_threshold == 0.25f);
+		OK(player_step(&player));
+		scree_body bodies[4];
+		int count;
+		OK(scree_world_get_bodies(world, bodies, 4, &count));
+		assert_int_equal(count, 4);
+		for (int k = 0; k < 4; ++k)
+		{
+			bool awake, stays;
+			float threshold;
+			OK(scree_body_get_awake(world, bodies[k], &awake));
+			OK(scree_body_get_stays_awake(world, bodies[k], &stays));
+			OK(scree_body_get_sleep_threshold(world, bodies[k], &threshold));
+			assert_true(awake == (k > 1 || !sleeps) && stays == (k == 2) && threshold == (k == 1 ? 0.5f : 0.0f));
+			float start = k == 3 ? 90.0f : 0.0f;
+			assert_true((pose_of(world, bodies[k]).position.y < start) == awake);
+		}
+		close_text(&player);
+	}
+}
+
 // A disabled body does not fall; an enabled one does.
 static void test_disabled(void** state)
 {
@@ -496,7 +549,7 @@ int main(void)
 	    cmocka_unit_test(test_shipped),         cmocka_unit_test(test_most_bodies),  cmocka_unit_test(test_ten_million),
 	    cmocka_unit_test(test_build),           cmocka_unit_test(test_churn),        cmocka_unit_test(test_disabled),
 	    cmocka_unit_test(test_contact_details), cmocka_unit_test(test_fields),       cmocka_unit_test(test_keys),
-	    cmocka_unit_test(test_random_ranges),
+	    cmocka_unit_test(test_random_ranges),   cmocka_unit_test(test_sleep),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

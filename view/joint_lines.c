@@ -146,6 +146,13 @@ static void mark(Strokes* strokes, const scree_vec* points, int count, const int
 	}
 }
 
+// Returns true if a joint is asleep. The dynamic bodies of a joint sleep together.
+static bool asleep(const Link* link, const bool* awake)
+{
+	const int* b = link->bodies;
+	return awake && ((b[0] >= 0 && !awake[b[0]]) || (b[1] >= 0 && !awake[b[1]]));
+}
+
 static void mark_rail(const Rail* rail, Strokes* strokes, const scree_pose* poses, const Camera* camera, Color color)
 {
 	float width = fminf(fmaxf(0.02f * camera->scale, 0.5f), 1.6f);
@@ -158,7 +165,8 @@ static void mark_rail(const Rail* rail, Strokes* strokes, const scree_pose* pose
 	}
 }
 
-void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, const Style* style)
+void joint_lines_mark(const JointLines* lines, const bool* awake, Strokes* strokes, const Camera* camera,
+                      const Style* style)
 {
 	scree_box box = camera_box(camera);
 	const float largest = fmaxf(lines->largest, 1.0e-9f);
@@ -172,7 +180,9 @@ void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* c
 		if (small || !in_view(points, count, box))
 			continue;
 		// the square root makes small loads visible beside large ones
-		mark(strokes, points, count, anchors, camera->scale,
-		     joint_color(sqrtf(force_of(&lines->states[k]) / largest), style->dark));
+		Color color = joint_color(sqrtf(force_of(&lines->states[k]) / largest), style->dark);
+		if (asleep(&lines->links.list[k], awake))
+			color = shades_dim(color, theme_of(style->dark)->background);
+		mark(strokes, points, count, anchors, camera->scale, color);
 	}
 }

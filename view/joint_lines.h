@@ -26,8 +26,10 @@ void joint_lines_close(JointLines* lines);
 scree_status joint_lines_update(JointLines* lines, const RenderTables* tables);
 
 // Adds strokes for the joints in view: lines, and dots at their anchors. Omits a joint if its line is shorter than
-// Style.detail pixels and its dots would be too small to draw.
-void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, const Style* style);
+// Style.detail pixels and its dots would be too small to draw. awake: of the bodies of the tables; null if the world does
+// not sleep.
+void joint_lines_mark(const JointLines* lines, const bool* awake, Strokes* strokes, const Camera* camera,
+                      const Style* style);
 
 // Returns the color of a joint. share: square root of (force of the joint / largest force of all joints).
 Color joint_color(float share, bool dark);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// paint_tables.c -- fills tables of values that color bodies: velocities, graph colors, forces, starting places.
+// paint_tables.c -- fills tables of values that color bodies: velocities, graph colors, forces, starting places, sleep.
 #include "view/paint_tables.h"
+#include "scene/sleepers.h"
 #include "view/contact_loads.h"
 #include "view/style.h"
 #include <math.h>
@@ -107,4 +108,20 @@ scree_status paint_tables_fill_starts(RenderTables* tables)
 		texel_array_fill(&tables->shares, FORMAT_TWO, shares, (int)size);
 	free(shares);
 	return status;
+}
+
+scree_status paint_tables_fill_asleep(RenderTables* tables)
+{
+	scree_status status = sleepers_read(tables->world, tables->bodies, tables->body_count, &tables->awake);
+	if (status != SCREE_OK || !tables->awake)
+		return status;
+	size_t size = (size_t)tables->body_capacity + 1;
+	uint8_t* asleep = calloc(size, 1);
+	if (!asleep)
+		return SCREE_ERROR_OUT_OF_MEMORY;
+	for (int k = 0; k < tables->body_count; ++k)
+		asleep[tables->bodies[k].index] = !tables->awake[k];
+	texel_array_fill(&tables->asleep, FORMAT_BYTE, asleep, (int)size);
+	free(asleep);
+	return SCREE_OK;
 }

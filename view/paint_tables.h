@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paint_tables.h -- fills tables of values that color bodies: velocities, graph colors, forces, starting places.
+// paint_tables.h -- fills tables of values that color bodies: velocities, graph colors, forces, starting places, sleep.
 #ifndef PAINT_TABLES_H
 #define PAINT_TABLES_H
 #include "view/render_tables.h"
@@ -18,5 +18,9 @@ bool paint_tables_fill_forces(RenderTables* tables, const scree_contact* contact
 
 // Fills the table of shares with the starting places of the bodies: x and y, each from 0 to 1.
 scree_status paint_tables_fill_starts(RenderTables* tables);
+
+// Updates RenderTables.awake, and fills the table of bodies that are asleep. If the world does not sleep, the table is
+// not filled, and shaders do not read it.
+scree_status paint_tables_fill_asleep(RenderTables* tables);
 
 #endif

@@ -7,7 +7,7 @@
 #include "view/shader.h"
 #include "view/theme.h"
 
-#define TABLES 6 // number of textures with tables
+#define TABLES 7 // number of textures with tables
 
 static void write_color(Color color, float channels[3])
 {
@@ -28,14 +28,14 @@ bool pass_open(Pass* pass, const char* vertex, const char* fragment, char* sente
 	pass->program = shader_link(glsl_row_glsl, vertex, fragment, sentence);
 	if (!pass->program)
 		return false;
-	const char* names[] = {"view",   "scale",   "paint", "least", "size",  "line",  "coarse", "first",
-	                       "marked", "sensors", "ramp",  "types", "still", "glass", "ink"};
-	int* places[] = {&pass->view, &pass->scale,  &pass->paint, &pass->least,  &pass->size,
-	                 &pass->line, &pass->coarse, &pass->first, &pass->marked, &pass->sensors,
-	                 &pass->ramp, &pass->types,  &pass->still, &pass->glass,  &pass->ink};
+	const char* names[] = {"view",    "scale", "paint", "least", "size",  "line", "coarse", "first", "marked",
+	                       "sensors", "ramp",  "types", "still", "glass", "ink",  "sleeps", "ground"};
+	int* places[] = {&pass->view,   &pass->scale, &pass->paint,  &pass->least,   &pass->size,  &pass->line,
+	                 &pass->coarse, &pass->first, &pass->marked, &pass->sensors, &pass->ramp,  &pass->types,
+	                 &pass->still,  &pass->glass, &pass->ink,    &pass->sleeps,  &pass->ground};
 	for (size_t k = 0; k < sizeof names / sizeof *names; ++k)
 		*places[k] = glGetUniformLocation(pass->program, names[k]);
-	const char* samplers[TABLES] = {"table", "kinds", "velocities", "graph", "marks", "shares"};
+	const char* samplers[TABLES] = {"table", "kinds", "velocities", "graph", "marks", "shares", "asleep"};
 	glUseProgram(pass->program);
 	for (int k = 0; k < TABLES; ++k)
 		glUniform1i(glGetUniformLocation(pass->program, samplers[k]), k);
@@ -63,6 +63,7 @@ static void set_colors(const Pass* pass, const Style* style)
 	set_color(pass->still, theme->still);
 	set_color(pass->glass, theme->glass);
 	set_color(pass->ink, theme->ink);
+	set_color(pass->ground, theme->background);
 	if (!ramp_of(style->paint, colors))
 		return;
 	for (int k = 0; k < RAMP_COLORS; ++k)
@@ -82,6 +83,7 @@ void pass_use(const Pass* pass, const RenderTables* tables, const Camera* camera
 	glUniform1i(pass->coarse, style->detail > 1.0f);
 	glUniform1i(pass->first, 0);
 	glUniform1i(pass->marked, tables->sensors.rows);
+	glUniform1i(pass->sleeps, tables->awake != NULL);
 	glUniform1i(pass->sensors, style->layers[LAYER_sensors]);
 	glUniform2f(pass->size, (float)camera->width, (float)camera->height);
 	glUniform1f(pass->line, line < 0.7f ? 0.7f : line > 1.4f ? 1.4f : line);
@@ -95,7 +97,8 @@ void pass_bind_tables(const RenderTables* tables)
 	                                   tables->velocities.texture,
 	                                   tables->graph.texture,
 	                                   tables->marks.texture,
-	                                   tables->shares.texture};
+	                                   tables->shares.texture,
+	                                   tables->asleep.texture};
 	for (int k = 0; k < TABLES; ++k)
 	{
 		glActiveTexture((GLenum)(GL_TEXTURE0 + k));

@@ -10,6 +10,7 @@ typedef struct // an OpenGL program and the locations of its uniforms
 {
 	unsigned program;
 	int view, scale, paint, least, size, line, coarse, first, marked, sensors, ramp, types, still, glass, ink;
+	int sleeps, ground;
 } Pass;
 
 // Links a program from row.glsl and two texts. Returns false and writes a sentence (SENTENCE of shader.h) on failure.

@@ -193,6 +193,7 @@ bool render_tables_build(RenderTables* tables, const Scene* scene, scree_world* 
 	texel_array_fill(&tables->graph, FORMAT_BYTE, none, 1);
 	texel_array_fill(&tables->marks, FORMAT_BYTE, none, 1);
 	texel_array_fill(&tables->shares, FORMAT_TWO, still, 1);
+	texel_array_fill(&tables->asleep, FORMAT_BYTE, none, 1);
 	if (good)
 		render_tables_update_sensors(tables);
 	return good;
@@ -223,11 +224,13 @@ void render_tables_close(RenderTables* tables)
 	texel_array_delete(&tables->graph);
 	texel_array_delete(&tables->marks);
 	texel_array_delete(&tables->shares);
+	texel_array_delete(&tables->asleep);
 	starts_close(&tables->starts);
 	sensor_marks_close(&tables->sensors);
 	free(tables->attributes);
 	free(tables->color_of);
 	free(tables->row_attributes);
 	free(tables->bodies);
+	free(tables->awake);
 	*tables = (RenderTables){0};
 }

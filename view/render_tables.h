@@ -20,12 +20,13 @@ typedef struct
 	int body_count;
 	int body_capacity; // highest index of a body plus one
 	scree_box box;     // m: box around the dynamic bodies, for scenes without a view
+	bool* awake;       // one per body of `bodies`; null if the world does not sleep
 	SensorMarks sensors;
 	Starts starts;     // starting places of the bodies; kept until the world is replaced
 	float size;        // m: median reach of the shapes of dynamic bodies; 0 if there are none
 	float density;     // kg/m^2: density of the shape that has the median reach
 	float force_range; // N: force at the end of the color ramp; 0 before the first force is shown
-	TexelArray attribute_texture, kinds, velocities, graph, marks, shares;
+	TexelArray attribute_texture, kinds, velocities, graph, marks, shares, asleep;
 } RenderTables;
 
 // Reads a world; `scene` is the scene that created it, or null. The caller repeats this after bodies were added or

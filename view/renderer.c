@@ -89,8 +89,10 @@ static scree_status fetch_joints(Renderer* r)
 
 scree_status renderer_fetch(Renderer* r, const Camera* camera, const Style* style)
 {
-	scree_status status = SCREE_OK;
+	scree_status status = paint_tables_fill_asleep(&r->tables);
 	r->contact_count = 0;
+	if (status != SCREE_OK)
+		return status;
 	if (style->paint == PAINT_SPEED || style->layers[LAYER_velocities])
 		status = paint_tables_fill_velocities(&r->tables);
 	if (status == SCREE_OK &&
@@ -187,7 +189,7 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 	if (style->layers[LAYER_fields])
 		field_lines_mark(&r->field_lines, &r->strokes);
 	if (style->layers[LAYER_joints])
-		joint_lines_mark(&r->joint_lines, &r->strokes, camera, style);
+		joint_lines_mark(&r->joint_lines, r->tables.awake, &r->strokes, camera, style);
 	flashes_mark(&r->flashes, &r->strokes, camera, r->tables.sensors.now);
 	mark_contacts(&r->strokes, r->contacts, r->contact_count, camera, style, r->tables.size);
 	strokes_draw(&r->strokes, camera);

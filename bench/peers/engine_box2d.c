@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // engine_box2d.c -- implements the functions of Engine with the public interface of Box2D v3.
 //
-// Solver parameters, such as the contact stiffness, have each engine's default values. Sleep is off, because Scree does
-// not have it.
+// Solver parameters, such as the contact stiffness, have each engine's default values. Sleep is off in both engines,
+// so that they do the same work.
 #include "engine_box2d.h"
 #include "box2d_joint.h"
 #include "box2d_shape.h"

@@ -60,7 +60,9 @@ bool setup_fill(const Setup* setup, scree_world* world)
 
 scree_world_def setup_world(const Setup* setup)
 {
-	return setup->scene ? setup->scene->world : scree_world_def_default();
+	scree_world_def def = setup->scene ? setup->scene->world : scree_world_def_default();
+	def.sleep = false; // as in Box2D's worlds, so that both engines do the same work
+	return def;
 }
 
 scree_world* setup_open(const Setup* setup, int threads)

@@ -32,5 +32,8 @@ void settings_text(const Options* options, char* text, size_t size)
 	for (int k = 0; k < options->setting_count; ++k)
 		snprintf(text + strlen(text), size - strlen(text), "%s%s=%s", k > 0 ? " " : "", options->settings[k].name,
 		         options->settings[k].value);
+	if (options->sleep != SLEEP_OF_SCENE)
+		snprintf(text + strlen(text), size - strlen(text), "%s--sleep=%s", *text ? " " : "",
+		         options->sleep == SLEEP_ON ? "on" : "off");
 	csv_cell(text);
 }

@@ -24,6 +24,7 @@ typedef struct
 	const char* device;
 	int threads, lanes; // 0: as many as available
 	bool allow_unequal_bits;
+	SceneSleep sleep;
 	const scree_opengl* opengl;            // context that draws the world; null if there is none
 	const char *picture, *video, *csv;     // paths; null: no such file is written
 	const char *renderer, *paint, *layers; // names; null: the default value

@@ -262,6 +262,10 @@ typedef struct scree_world_def
 	bool contact_details;
 	float hit_speed;   // m/s, >= 0, default 1; a contact with a lower approach speed is not a scree_hit
 	float hit_impulse; // N s, >= 0, default 0; a contact with a smaller impulse is not a scree_hit
+	bool sleep;        // true: bodies at rest fall asleep (see "Sleep"); default false
+	// m/s, 1e-6 to 1e6, default 0.05. A body is at rest while no point of it moves faster. Its motion in each step
+	// counts, not its velocity.
+	float sleep_threshold;
 } scree_world_def;
 
 // Returns a definition with the default values.
@@ -313,6 +317,8 @@ typedef struct scree_tuning // the members of scree_world_def with the same name
 	float contact_push_speed;
 	float restitution_threshold;
 	float max_speed;
+	bool sleep;
+	float sleep_threshold;
 } scree_tuning;
 
 // Returns the parameters of the solver. Units and ranges are those of scree_world_def.
@@ -367,10 +373,12 @@ typedef struct scree_counters
 	// Locks whose lock_hertz is not 0, gears and pulleys do not count. In a world at rest, a gap of more than some mm
 	// means that joints shake or are overloaded.
 	float joint_gap;
+	int asleep_bodies; // current number of bodies that sleep (see "Sleep")
 } scree_counters;
 
-// Returns the counters. bodies, dynamic_bodies, collidables and attributes are current; all others are those of the
-// last step.
+// Returns the counters. bodies, dynamic_bodies, asleep_bodies, collidables and attributes are current; all others are
+// those of the last step. touching also counts the contacts of sleeping bodies; spokes, penetration and joint_gap do
+// not.
 static inline scree_status scree_world_get_counters(scree_world* world, scree_counters* counters);
 
 typedef struct scree_timings // milliseconds of the last step; zero unless scree_world_def.timings is set
@@ -619,6 +627,10 @@ typedef struct scree_body_def
 	bool disabled;             // true: the body starts disabled (scree_body_set_enabled); default false
 	uint32_t reports;          // bits of SCREE_REPORT_* for that collidable; default 0
 	uint32_t sensor;           // bits of SCREE_SENSOR_* for that collidable; default 0: it is not a sensor
+	bool asleep;               // true: a dynamic body starts asleep, without its velocity, if scree_world_def.sleep is
+	                           // set and stays_awake is not (see "Sleep"); default false
+	bool stays_awake;          // true: the body and its island never fall asleep; default false
+	float sleep_threshold;     // m/s, 0 to 1e6: as in scree_world_def; 0 (default): that of the world
 } scree_body_def;
 
 // Returns a definition with the default values, without a collidable.
@@ -718,6 +730,7 @@ typedef struct scree_body_state
 {
 	scree_pose pose; // pose of the body's origin
 	scree_velocity velocity;
+	bool asleep;
 } scree_body_state;
 
 // Writes the states of up to capacity bodies in ascending index order, and their handles to bodies (may be null). Sets
@@ -828,6 +841,61 @@ SCREE_API bool scree_body_is_excluded(const scree_world* world, scree_body body,
 // their number.
 SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body body, scree_body* others, int capacity,
                                                int* count);
+
+// Sleep. If scree_world_def.sleep is set, bodies at rest fall asleep: they have velocity 0, do not move, and cost less.
+// Dynamic bodies that touch or are joined form an island, and an island falls asleep and wakes as a whole. Static and
+// kinematic bodies never sleep and connect nothing, so crates side by side on the ground are islands of their own.
+// docs/sleep.md has more.
+//
+// An island falls asleep when all of its bodies have been at rest for 0.5 s (scree_world_def.sleep_threshold), or up to
+// 8 steps later. It stays awake while scree_body_def.stays_awake is set for one of its bodies, while it touches or is
+// joined to a kinematic body that moves, and while a motor moves its bodies with at least half of the motor's speed.
+//
+// An island wakes, in the first step after a call or in the step in which the rest happens, if:
+// - a call changes one of its bodies: a force, impulse or velocity other than 0, a pose, mass, type, damping, gravity
+//   scale, lock, collidable, attribute, filter, exclusion or joint; or the body is enabled or disabled. A target,
+//   motor, limit or other setting of a coordinate of a joint that is set to the same value wakes nothing;
+// - a body that is awake, or a kinematic body that moves, begins to touch it;
+// - a static or kinematic body that it touches, or to which it is joined, begins to move, or the user moves, changes or
+//   destroys it;
+// - one of its bodies is in the box around a field that is created, changed or destroyed, or moves with a body. A field
+//   that acts everywhere wakes all bodies, and so does destroying, enabling or disabling a body with fields;
+// - gravity changes, or a call sets the tuning or a pair of materials: these wake all bodies.
+// Reading, queries and moves to another device wake nothing; nor does a new static body, even if it touches the island.
+//
+// Contacts and joints of sleeping bodies keep their impulses and can be read. Queries and sensors find sleeping bodies
+// as others. Bodies that were created asleep begin to report their touches (scree_events) when they wake.
+
+// Wakes bodies with their islands (true), or puts their islands to sleep in the next step with dt > 0 (false), even if
+// they move. An island stays awake in spite of that if:
+// - since the last step a call has moved or woken another of its bodies, and no later call put that body to sleep;
+// - it was asleep, and since the last step a call has moved one of its bodies;
+// - in that step it begins to touch something, or something other than a call that changes its bodies would wake it;
+// - scree_body_def.stays_awake is set for one of its bodies.
+// Does nothing for static, kinematic and disabled bodies, nor in a world that does not sleep.
+SCREE_API scree_status scree_bodies_set_awake(scree_world* world, const scree_body* bodies, const bool* awake,
+                                              int count);
+// Wakes one body, or puts it to sleep, as above.
+SCREE_API scree_status scree_body_set_awake(scree_world* world, scree_body body, bool awake);
+// The same for all bodies with a collidable that overlaps a box, which is at least 2 mm wide and high.
+SCREE_API scree_status scree_world_set_box_awake(scree_world* world, scree_box box, bool awake);
+// The same for all bodies of a world.
+SCREE_API scree_status scree_world_set_awake(scree_world* world, bool awake);
+
+// Returns whether bodies are awake. A body whose island wakes in the next step counts as awake. Static, kinematic and
+// disabled bodies are always awake.
+SCREE_API scree_status scree_bodies_get_awake(scree_world* world, const scree_body* bodies, bool* awake, int count);
+// Returns whether one body is awake, as above.
+SCREE_API scree_status scree_body_get_awake(scree_world* world, scree_body body, bool* awake);
+
+// Sets scree_body_def.sleep_threshold, m/s, 0 to 1e6. Wakes nothing.
+SCREE_API scree_status scree_body_set_sleep_threshold(scree_world* world, scree_body body, float threshold);
+// Returns scree_body_def.sleep_threshold, m/s.
+SCREE_API scree_status scree_body_get_sleep_threshold(const scree_world* world, scree_body body, float* threshold);
+// Sets scree_body_def.stays_awake; true wakes the body.
+SCREE_API scree_status scree_body_set_stays_awake(scree_world* world, scree_body body, bool stays_awake);
+// Returns scree_body_def.stays_awake.
+SCREE_API scree_status scree_body_get_stays_awake(const scree_world* world, scree_body body, bool* stays_awake);
 
 typedef struct scree_mass
 {
@@ -1455,12 +1523,13 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 // in the next step. A second call before the next step replaces the values of the first.
 SCREE_API scree_status scree_world_approve_contacts(scree_world* world, const bool* approved, int count);
 
-typedef struct scree_moved_body // a body whose pose has changed
+typedef struct scree_moved_body // a body that moved, fell asleep or woke
 {
 	scree_body body;
 	uint64_t user; // user data
 	scree_pose pose;
 	scree_velocity velocity;
+	bool asleep;
 } scree_moved_body;
 
 typedef struct scree_moved_bodies
@@ -1470,12 +1539,14 @@ typedef struct scree_moved_bodies
 	const scree_moved_body* bodies; // in ascending index order
 } scree_moved_bodies;
 
-// Returns the bodies that have moved since the last call, by motion or by the user, and those that were created since.
-// This is the data that a renderer or a network needs. The first call lists all bodies.
+// Returns the bodies that have moved since the last call, by motion or by the user, those that fell asleep or woke (see
+// "Sleep"), and those that were created since. This is the data that a renderer or a network needs. The first call
+// lists all bodies.
 //
 // A body has moved if any component of its pose (scree_body_get_pose) differs at all from that at the last call, even
 // by a rounding error, which may occur in each step for a body at rest under a load. A body that is back at its earlier
-// pose has not moved. A new center of mass, type or velocity does not count.
+// pose has not moved. A new center of mass, type or velocity does not count. A body that fell asleep and woke between
+// two calls is not listed for that.
 //
 // The array belongs to the world; it is valid until the next call of this function, or until the world is destroyed.
 // The device gathers the list, and only the list is transferred.

@@ -67,7 +67,7 @@ void solve_slack(const Solve* solve, RunList* list)
 void solve_list(const Solve* solve, RunList* list)
 {
 	int bound = solve->bound, bodies = solve_bodies(solve);
-	runs_add(list, KERNEL_solve_begin, 0, bodies, bound, 0);
+	runs_add(list, KERNEL_solve_begin, 0, bodies, solve->visited, 0);
 	if (solve->taut)
 		solve_taut(solve, list);
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
@@ -86,9 +86,9 @@ void solve_list(const Solve* solve, RunList* list)
 	{
 		int before = schedule_before(solve->substeps, q);
 		if (before == BODY_ACCELERATES)
-			runs_add(list, KERNEL_integrate_velocity, 0, bodies, bound, schedule_first(q));
+			runs_add(list, KERNEL_integrate_velocity, 0, bodies, solve->visited, schedule_first(q));
 		if (before == BODY_MOVES)
-			runs_add(list, KERNEL_integrate_position, 0, bodies, bound, 0);
+			runs_add(list, KERNEL_integrate_position, 0, bodies, solve->visited, 0);
 		add_pass(list, solve, schedule_pass(solve->substeps, q));
 	}
 	if (solve->chains > 0)
@@ -97,7 +97,7 @@ void solve_list(const Solve* solve, RunList* list)
 		runs_add(list, KERNEL_branch_end, solve->chains, solve->chains + solve->branches, bound, 0);
 	if (solve->taut)
 		solve_slack(solve, list);
-	runs_add(list, KERNEL_finalize, 0, solve->bodies, bound, 0);
+	runs_add(list, KERNEL_finalize, 0, solve->bodies, solve->visited, 0);
 	runs_add(list, KERNEL_continuous, 0, solve->collidables, COUNT(continuous_items), 0);
 	if (solve->rare[CONSTRAINT_JOINT])
 		runs_add(list, KERNEL_joint_finalize, 0, solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1], bound, 0);

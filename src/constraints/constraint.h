@@ -55,6 +55,8 @@
 #define ROW_FETCH(name, gate, life, inert, read, written)    ROW_IF_KEPT_##life(fetch_soon(&rows->name[lane]);)
 #define ROW_HASH(name, gate, life, inert, read, written)     ROW_IF_KEPT_##life(h = hash_float(h, rows->name[lane]);)
 
+#define ROW_HASH_SLOT(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(h = hash_float(h, kept->name);)
+
 #define ROW_UNLESS_PREPARED_PLACED(x) x
 #define ROW_UNLESS_PREPARED_PREPARED(x)
 #define ROW_UNLESS_PREPARED_KEPT(x) x

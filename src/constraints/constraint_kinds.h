@@ -95,6 +95,20 @@
 		EACH_ROW(kind, Kind, KIND, ROW_HASH);                          \
 		EACH_RARE_ROW(kind, Kind, KIND, ROW_HASH);                     \
 		return h;                                                      \
+	}                                                                  \
+	/* Hashes the kept values of a slot in the same order. */          \
+	INLINE Word64 kind##_hash_slot(Word64 h, const Pools* p, int slot) \
+	{                                                                  \
+		{                                                              \
+			const GLOBAL Kind##Kept* kept = p->kind##_kept + slot;     \
+			KIND##_ROWS(ROW_HASH_SLOT)(void) kept;                     \
+		}                                                              \
+		{                                                              \
+			const GLOBAL Kind##RareKept* kept;                         \
+			kept = p->kind##_rare_kept + slot;                         \
+			KIND##_RARE_ROWS(ROW_HASH_SLOT)(void) kept;                \
+		}                                                              \
+		return h;                                                      \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND

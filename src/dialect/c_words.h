@@ -67,20 +67,23 @@ INLINE Word read_shared_word(Word* place) { return __atomic_load_n(place, __ATOM
 INLINE Word64 read_shared_word64(Word64* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
 INLINE void write_shared_word(Word* place, Word x) { __atomic_store_n(place, x, __ATOMIC_RELAXED); }
 INLINE void write_shared_word64(Word64* place, Word64 x) { __atomic_store_n(place, x, __ATOMIC_RELAXED); }
-INLINE void atomic_max_int(int* place, int x)
+INLINE int atomic_max_int(int* place, int x) // returns the old value
 {
 	int old = read_shared(place);
 	while (old < x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
 	{
 	}
+	return old;
 }
-INLINE void atomic_min_int(int* place, int x)
+INLINE int atomic_min_int(int* place, int x) // returns the old value
 {
 	int old = read_shared(place);
 	while (old > x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
 	{
 	}
+	return old;
 }
+INLINE void atomic_or_int(int* place, int x) { __atomic_fetch_or(place, x, __ATOMIC_RELAXED); }
 INLINE void atomic_max_word(Word* place, Word x)
 {
 	Word old = read_shared_word(place);
@@ -131,8 +134,9 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 		int found[CHUNK_ITEMS], count = 0;                                                                           \
 		for (int i = begin; i < end; ++i)                                                                            \
 		{                                                                                                            \
-			found[count] = i;                                                                                        \
-			count += name##_listed(p, i);                                                                            \
+			int item = name##_listed(p, i);                                                                          \
+			found[count] = item;                                                                                     \
+			count += item >= 0;                                                                                      \
 			if (count < CHUNK_ITEMS && i + 1 < end)                                                                  \
 				continue;                                                                                            \
 			if (count > 0)                                                                                           \

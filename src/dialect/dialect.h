@@ -68,9 +68,9 @@
 
 // Macros that define kernels, in opencl_words.h and c_words.h.
 // KERNEL(name) { ... }: the code for item i of the pools p. WIDE_KERNEL(name): the code for items i to i + LANES - 1.
-// LIST_KERNEL(name, list, length) { ... }: a kernel that appends the items for which it returns 1 to a list of the
-// pools, in any order. A CPU worker advances the length once per CHUNK_ITEMS items: with 16 workers, an atomic addition
-// per item took half of a step.
+// LIST_KERNEL(name, list, length) { ... }: the code returns an item, which is appended to a list of the pools, in any
+// order, or -1. A CPU worker advances the length once per CHUNK_ITEMS items: with 16 workers, an atomic addition per
+// item took half of a step.
 // GROUP_KERNEL(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of
 // local memory, bench. A work-item processes every group_width()-th part of the item from part group_lane() on. On a
 // CPU one worker is the whole group, and processes LANES parts at a time; part_lane() and part_width() are for code in

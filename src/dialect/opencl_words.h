@@ -50,6 +50,7 @@ INLINE float worse(float x) { return as_float(as_uint(x) + (as_uint(x) * 2654435
 #define atomic_add_int(place, x)  atomic_add(place, x)
 #define atomic_max_int(place, x)  atomic_max(place, x)
 #define atomic_min_int(place, x)  atomic_min(place, x)
+#define atomic_or_int(place, x)   atomic_or(place, x)
 #define atomic_max_word(place, x) atomic_max(place, x)
 #define atomic_and_word64(place, x)                                 \
 	((void)atomic_and((volatile __global uint*)(place), (uint)(x)), \
@@ -166,13 +167,14 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 	KERNEL_FUNCTION(name, name, (void)0, SPREAD_NOT) \
 	INLINE void name##_item(const Pools* p, int i)
 #define WIDE_KERNEL(name) KERNEL(name)
-#define LIST_KERNEL(name, list, length)                           \
-	INLINE int name##_listed(const Pools* p, int i);              \
-	KERNEL(name)                                                  \
-	{                                                             \
-		if (name##_listed(p, i))                                  \
-			p->list[atomic_add_int(&p->counters->length, 1)] = i; \
-	}                                                             \
+#define LIST_KERNEL(name, list, length)                              \
+	INLINE int name##_listed(const Pools* p, int i);                 \
+	KERNEL(name)                                                     \
+	{                                                                \
+		int item = name##_listed(p, i);                              \
+		if (item >= 0)                                               \
+			p->list[atomic_add_int(&p->counters->length, 1)] = item; \
+	}                                                                \
 	INLINE int name##_listed(const Pools* p, int i)
 #define GROUP_KERNEL(name)                                                                            \
 	INLINE_MEET void name##_group(const Pools* p, int i, LOCAL float* bench);                         \

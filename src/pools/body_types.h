@@ -16,6 +16,37 @@
 #define CONTINUOUS_SHARE  2       // minimum number of collidables per work-item if several share a body (continuous.h)
 #define CONTINUOUS_PARTS  64      // maximum number of work-items per body in the kernel continuous
 
+// Bits of the pool sleep. The lower bits are 1 + the number of the island, below MAX_ITEMS + 1.
+#define SLEEP_LOCK_X (1 << 26) // the motion along x was locked when the body fell asleep
+#define SLEEP_LOCK_Y (1 << 27) // the same along y
+#define SLEEP_ISLAND (SLEEP_LOCK_X - 1)
+#define SLEEP_TIME   0.5f // s: time at rest before an island falls asleep; less: bodies that only pause fall asleep
+#define SLEEP_STEPS  8    // every step of this number searches for islands; larger: bodies fall asleep later
+
+// Values of the pool still below 0.
+#define STILL_FORCED  (-1.0f) // the user puts the island of the body to sleep
+#define STILL_STIRRED (-2.0f) // the user moved the body, so its island stays awake in this step
+// Created asleep since the last step, so its parts may still be added. The body ignores marks in the pool wake, which may
+// be those of an earlier body of its slot; island_wake ends this value.
+#define STILL_MADE  (-3.0f)
+#define STILL_MOVED (-4.0f) // static or kinematic, has joints, and was moved by the user
+
+// Values of the pool wake, in rising order of strength.
+#define WAKE_USER  1 // the user changed a body of the island; a later call may still put the island to sleep
+#define WAKE_WORLD 2 // a touch, a joint, a support or a field wakes the island, whatever the user calls
+
+// Arguments of the kernel sleep_begin: the step never searches for islands, does so if some body has been at rest for
+// SLEEP_TIME, or does so in any case.
+#define SEARCH_NEVER  0
+#define SEARCH_DROWSY 1
+#define SEARCH_NOW    2
+
+// Bits of the pool island_state.
+#define ISLAND_RESTLESS 1 // some awake body has not been at rest for SLEEP_TIME
+#define ISLAND_FORCED   2 // the user puts the island to sleep
+#define ISLAND_WOKEN    4 // some sleeping body of the island is woken
+#define ISLAND_STIRRED  8 // the island must not be put to sleep in this step
+
 typedef struct // 16 bytes: data of a dynamic body for continuous collision
 {
 	int first;   // 1 + index of the body's first collidable; 0 for a body without collidables
@@ -66,8 +97,10 @@ typedef struct // 32 bytes: a body that moved, as listed for the user
 {
 	Float4 pose; // pose of the center of mass: x, y, cos, sin
 	float vx, vy, w;
-	int body;
+	int body; // index, plus MOVED_ASLEEP if the body sleeps
 } MovedBody;
+
+#define MOVED_ASLEEP MAX_ITEMS
 
 typedef struct // indices of kinematic bodies; not in Step, as a variable index would put Step on the stack of a GPU
 {

@@ -17,9 +17,11 @@
 #define SENSOR_BITS    (SENSOR_MOVING | SENSOR_STATIC | SENSOR_SENSORS)
 
 // Bits of the pool collidable_flags.
-#define COLLIDABLE_NEW_BOX 1 // the enlarged box is new in this step; old_box has the previous one
-#define COLLIDABLE_FAST    2 // the motion in this step may exceed half of the distance at which contacts begin
-#define COLLIDABLE_MOVING  4 // the motion in this step exceeds a small tolerance (SWEEP_REST)
+#define COLLIDABLE_NEW_BOX 1         // the enlarged box is new in this step; old_box has the previous one
+#define COLLIDABLE_FAST    2         // the motion in this step may exceed half of the distance at which contacts begin
+#define COLLIDABLE_MOVING  4         // the motion in this step exceeds a small tolerance (SWEEP_REST)
+#define COLLIDABLE_CHANGED (1 << 23) // the user changed its surface, or a refused step had found that it was moved
+#define COLLIDABLE_SHIFTED (1 << 24) // static or kinematic, and moves, or was moved by the user
 #define GRAIN_SIZE         (2.0f * SPECULATIVE_DISTANCE) // m: thinner dynamic collidables have smaller tolerances
 // First of the bits for thickness. Bit k of them is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k.
 // The tolerances of a contact are halved for each bit that one of its collidables has, because they could otherwise

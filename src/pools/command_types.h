@@ -13,7 +13,11 @@ typedef struct // 32 bytes: a change that the user made between steps
 } Command;
 
 // Values of Command.kind. A comment gives the contents of Command.value and Command.whole. Kinds from COMMAND_PLACE on
-// apply to a collidable, other kinds to a body. For kinds below COMMAND_BODY, whole[1] is 1 if the body is disabled.
+// apply to a collidable, other kinds to a body. For kinds below COMMAND_BODY and for COMMAND_TARGET, whole[1] contains
+// these bits:
+#define COMMAND_DISABLED 1 // the body is disabled
+#define COMMAND_JOINED   2 // the body is static or kinematic, and has joints
+
 #define COMMAND_FORCE           0  // x, y: N
 #define COMMAND_FORCE_AT        1  // force x, y, N; world point x, y, m
 #define COMMAND_TORQUE          2  // x: N m
@@ -31,11 +35,18 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_ENABLED         14 // whole[0]: 1, or 0 to disable the body
 #define COMMAND_TARGET          15 // pose of the body's origin at the end of the step: x, y, cos, sin; whole[0]: locks
 #define COMMAND_ARRIVE          16 // same contents as COMMAND_TARGET; moves the body there after the step, and stops it
-#define COMMAND_PLACE           17 // collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE      18 // local pose x, y, cos, sin; whole[0]: attribute; whole[1]: body; no contacts remain
-#define COMMAND_ATTRIBUTE       19 // whole[0]: another attribute of the same shape
-#define COMMAND_FILTER          20 // bits of category and mask; whole[0]: group; whole[1]: kind | Filter.reports << 8
-#define COMMAND_NEXT            21 // whole[0]: 1 + index of the body's next collidable; 0 if this is the last one
-#define COMMAND_REPORTS         22 // whole[0]: Filter.reports
+#define COMMAND_AWAKE           17 // whole[0]: 1 to wake the body, 0 to put its island to sleep
+#define COMMAND_SLEEP           18 // x: value of the pool sleep_threshold; whole[0]: one of the values below
+#define COMMAND_JOINTS          19 // the user changed joints of the body, which only wakes its island
+#define COMMAND_PLACE           20 // collidable without a body: x, y, cos, sin
+#define COMMAND_COLLIDABLE      21 // local pose x, y, cos, sin; whole[0]: attribute; whole[1]: body; no contacts remain
+#define COMMAND_ATTRIBUTE       22 // whole[0]: another attribute of the same shape
+#define COMMAND_FILTER          23 // bits of category and mask; whole[0]: group; whole[1]: kind | Filter.reports << 8
+#define COMMAND_NEXT            24 // whole[0]: 1 + index of the body's next collidable; 0 if this is the last one
+#define COMMAND_REPORTS         25 // whole[0]: Filter.reports
+
+#define SLEEP_AS_BEFORE  0 // only the threshold changes
+#define SLEEP_NOT_YET    1 // a new body, which is awake
+#define SLEEP_FROM_START 2 // a new body, which sleeps
 
 #endif

@@ -31,13 +31,14 @@
 #define CONTACT_STATIC    16777216u // one collidable was static when the contact was created
 #define CONTACT_KINEMATIC 33554432u // one collidable was kinematic when the contact was created
 #define CONTACT_FIXED     (CONTACT_STATIC | CONTACT_KINEMATIC)
-#define CONTACT_SUNK      67108864u // the depth of the contact in a platform was computed in this step
+#define CONTACT_SUNK      67108864u  // the depth of the contact in a platform was computed in this step
+#define CONTACT_ASLEEP    134217728u // touches, but has no constraint because a body sleeps; its impulses are kept
 #define CONTACT_APART     (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // such a contact has no points
 #define CONTACT_LASTS                                                                                          \
 	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_APPROVALS | CONTACT_HIGH | CONTACT_FIXED | \
-	 CONTACT_SUNK)         // bits that narrow_phase preserves
-#define CONTACT_LOOK 2048u // narrow_phase must process the contact
-#define CONTACT_ANEW 4096u // narrow_phase must compute a new manifold
+	 CONTACT_SUNK | CONTACT_ASLEEP) // bits that narrow_phase preserves
+#define CONTACT_LOOK 2048u          // narrow_phase must process the contact
+#define CONTACT_ANEW 4096u          // narrow_phase must compute a new manifold
 // Bits of contact_flags that describe the manifold, and the motion of its points with the bodies.
 #define MANIFOLD_ROLLS    32  // the points follow the corners of rolling shapes; otherwise they are fixed to the shapes
 #define MANIFOLD_CORNER1  64  // point 1 is at a corner of shape a; otherwise at a corner of shape b

@@ -24,32 +24,48 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int alive;    // number of contacts, including those that the last step released
 	int touching; // number of touching contacts at the last layout, including spokes
 	KindLayout layout[CONSTRAINT_KINDS]; // places of the constraints of each kind
-	int hubs;                            // number of hubs
-	int split;                           // number of spokes if some body is split into parts, else 0
+	int woken;                           // INT_MAX if some island is marked in the pool wake
+	int joined_islands; // 1 if a sleeping body began to touch another sleeping island, so that both become one
+	int active_items[GROUP_KINDS]; // for each kind: GROUP_ITEMS times the number of groups that are not skipped
+	int relist[GROUP_KINDS];       // for each kind: INT_MAX if the list of these groups must be sorted again, else 0
+	int touched; // INT_MAX if the user changed a sleeping body or a collidable, so that any contact may change, else 0
+	int movers;  // 1 if some body that does not sleep moved or may move in the last step, in a world that sleeps
+	int drowsy;  // 1 if some body has been at rest for SLEEP_TIME
+	int hubs;    // number of hubs
+	int split;   // number of spokes if some body is split into parts, else 0
 	int outliers[2]; // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
 	// Values of this step.
 	int updated_boxes; // number of collidables whose enlarged box changed
 	int changed;       // 1 if a constraint began or ended, so the constraints need a new layout
 	int kept;          // INT_MAX while the layout of the last step is valid; 0 after a new layout or if `stalled` is 1
-	int refit;         // INT_MAX if some box changed, so that all boxes of nodes of tree 0 are recomputed; else 0
-	int jumped;        // INT_MAX if some box jumped, so that all nodes of level 1 are checked for outliers; else 0
-	int order[2];      // for each tree: INT_MAX if its leaves are sorted in this step, else 0
-	int traversals;    // number of traversals that reached Step.traversal_nodes; several work-items finish each of them
-	int rest;          // INT_MAX if there are such traversals, else 0
+	int stale_nodes[MAX_LEVELS]; // for each level of tree 0: number of nodes in the list stale_nodes
+	int refit;      // INT_MAX if some box changed, so that all boxes of nodes of tree 0 are recomputed; else 0
+	int jumped;     // INT_MAX if some box jumped, so that all nodes of level 1 are checked for outliers; else 0
+	int order[2];   // for each tree: INT_MAX if its leaves are sorted in this step, else 0
+	int traversals; // number of traversals that reached Step.traversal_nodes; several work-items finish each of them
+	int rest;       // INT_MAX if there are such traversals, else 0
 	int pairs; // number of new pairs, including those beyond the capacity for pairs; incomplete above the contact limit
-	int over_limit;   // 1 if there are more contacts than the contact limit; the host then abandons the step
-	int sort_pairs;   // number of new pairs to sort; 0 if the contact limit or the capacity for pairs is exceeded
-	int search;       // number of contact slots to search for free slots, plus 1; 0 if `sort_pairs` is 0
-	int dead;         // number of free contact slots found
-	int created;      // number of new contacts
-	int needed;       // number of contact slots that the step needs
-	int stalled;      // 1 if the contact limit or a capacity is exceeded; after the latter, the host enlarges the pools
-	int live;         // number of contact slots that the narrow phase processes; 0 if `stalled` is 1
-	int look;         // same as `live` if some contact has CONTACT_LOOK, else 0
-	int released;     // number of contacts whose boxes parted
-	int began, ended; // numbers of constraints that began and that ended
-	int gathered;     // number of contact slots to search for contacts of new hubs, or 0
-	int entered;      // 1 if a contact became a spoke
+	int over_limit; // 1 if there are more contacts than the contact limit; the host then abandons the step
+	int sort_pairs; // number of new pairs to sort; 0 if the contact limit or the capacity for pairs is exceeded
+	int search;     // number of contact slots to search for free slots, plus 1; 0 if `sort_pairs` is 0
+	int dead;       // number of free contact slots found
+	int created;    // number of new contacts
+	int needed;     // number of contact slots that the step needs
+	int stalled;    // 1 if the contact limit or a capacity is exceeded; after the latter, the host enlarges the pools
+	int live;       // number of contact slots that the narrow phase processes; 0 if `stalled` is 1
+	int look;       // same as `live` if some contact has CONTACT_LOOK, else 0
+	int shifted;    // INT_MAX if a static or kinematic collidable began to move, else 0
+	int search_all; // 1 if the search for islands visits all bodies and constraints, 0 if it visits the active groups
+	int search_bodies, search_contacts; // numbers of bodies and of contacts that the search visits
+	int kept_bodies;                    // number of bodies to visit while `kept` is not 0, else 0
+	int searching;                      // INT_MAX in a step that searches islands, else 0
+	int waking;                         // INT_MAX if islands wake without a search, else 0
+	int marked;                    // INT_MAX if marks in the pool wake must be cleared at the end of the step, else 0
+	int settling;                  // INT_MAX if some body fell asleep or woke, else 0
+	int released;                  // number of contacts whose boxes parted
+	int began, ended;              // numbers of constraints that began and that ended
+	int gathered;                  // number of contact slots to search for contacts of new hubs, or 0
+	int entered;                   // 1 if a contact became a spoke
 	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: number of edges without a color after coloring round r
 	int dirty[CONSTRAINT_KINDS];   // 1 if a constraint of the kind began or ended
 	int arrange[CONSTRAINT_KINDS]; // number of slots of the kind to sort by color; 0 if its layout remains

@@ -13,6 +13,7 @@
 #define JOINT_CAN_BREAK 32  // the joint breaks when its force or torque exceeds a threshold
 #define JOINT_ACTS      64  // the joint has a lock, a limit, a spring or a motor
 #define JOINT_NEW       128 // the slot contains a new joint
+#define JOINT_ASLEEP    512 // has no constraint because a body sleeps; its impulses are kept
 #define JOINT_SEEKS     256 // flag of an edit: a body or a frame was placed, so the whole path must be searched
 
 // Bits of JointData.modes: four for each coordinate k, then others.

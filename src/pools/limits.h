@@ -47,6 +47,10 @@
 #define LINEAR_SLOP          0.005f
 #define SPECULATIVE_DISTANCE 0.02f // m: contacts have points below this separation, before the surfaces meet
 
+// Number of items of a group, which a step visits or skips as a whole. It divides all capacities.
+#define GROUP_BITS  6
+#define GROUP_ITEMS (1 << GROUP_BITS)
+
 #define MAX_ITEMS    (1 << 24) // maximum number of bodies, collidables or attributes: the range of indices in trees
 #define MAX_CONTACTS (8 * MAX_ITEMS)
 

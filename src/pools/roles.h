@@ -12,24 +12,27 @@ typedef enum // kind of the items of a pool
 	PER_##KIND, PER_##KIND##_PLACE, PER_##KIND##_BLOCK, // edge; place of the rows of a constraint; block of places
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
-	PER_EDGE,           // edge of any kind
-	PER_JOINED,         // pair of bodies that never touch
-	PER_EXCLUDED,       // pair of bodies that the user keeps from touching
-	PER_JOINT_EDIT,     // joint that the user created or changed
-	PER_PATH_SAMPLE,    // sample of a path
-	PER_CHAIN,          // joints that are solved together
-	PER_CHAIN_BLOCK,    // MAX_LANES spots of a chain
-	PER_BRANCH,         // body of a branch
-	PER_SPOKE,          // contact of a hub
-	PER_SPOKE_BLOCK,    // MAX_LANES contacts of hubs
-	PER_RENDER_ROW,     // collidable in the render rows
-	PER_CONTACT_REPORT, // contact in a contact report
-	PER_EVENT,          // contact of a world in which some collidable reports events
-	PER_APPROVAL,       // contact of a world with contact approval or one-way platforms
-	PER_ALLOWED,        // pair of collidables that the user approved
-	PER_STOPPED,        // body of a world with contact approval
-	PER_QUERY_LEAF,     // leaf for queries
-	PER_QUERY_NODE,     // node for queries
+	PER_BODY_GROUP,       // GROUP_ITEMS adjacent bodies
+	PER_COLLIDABLE_GROUP, // GROUP_ITEMS adjacent collidables
+	PER_CONTACT_GROUP,    // GROUP_ITEMS adjacent contacts
+	PER_EDGE,             // edge of any kind
+	PER_JOINED,           // pair of bodies that never touch
+	PER_EXCLUDED,         // pair of bodies that the user keeps from touching
+	PER_JOINT_EDIT,       // joint that the user created or changed
+	PER_PATH_SAMPLE,      // sample of a path
+	PER_CHAIN,            // joints that are solved together
+	PER_CHAIN_BLOCK,      // MAX_LANES spots of a chain
+	PER_BRANCH,           // body of a branch
+	PER_SPOKE,            // contact of a hub
+	PER_SPOKE_BLOCK,      // MAX_LANES contacts of hubs
+	PER_RENDER_ROW,       // collidable in the render rows
+	PER_CONTACT_REPORT,   // contact in a contact report
+	PER_EVENT,            // contact of a world in which some collidable reports events
+	PER_APPROVAL,         // contact of a world with contact approval or one-way platforms
+	PER_ALLOWED,          // pair of collidables that the user approved
+	PER_STOPPED,          // body of a world with contact approval
+	PER_QUERY_LEAF,       // leaf for queries
+	PER_QUERY_NODE,       // node for queries
 	PER_QUERY,
 	PER_FOUND,         // result of a query
 	PER_MATERIAL_PAIR, // pair of materials

@@ -75,7 +75,9 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 	int presses;          // 1 if a kinematic body or a joint may press bodies against static ones, or recently did
 	int round;            // some attribute has a radius
 	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE
-	float continuous_way; // m: lower bound of ContinuousBody.way of all bodies
+	int sleep;            // 1 if bodies may sleep
+	float sleep_threshold;  // m/s: a body whose points all move slower than this is at rest
+	float continuous_way;   // m: lower bound of ContinuousBody.way of all bodies
 	float continuous_reach; // m: upper bound of ContinuousBody.reach of all bodies
 	int collidables;        // number of collidable slots in use
 	int pair_capacity, contact_capacity;
@@ -87,6 +89,14 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 } Step;
 
 #define STEP_RARE(step) ((step).has_rolling | (step).details) // not 0 if the rare rows of contacts are used
+
+#define TREE_STALE_ONLY 2 // bit of the argument of the kernel tree_node: items are the nodes in stale_nodes
+
+// Kinds of items whose groups a step may skip, in a world that sleeps.
+#define GROUPS_OF_BODIES      0
+#define GROUPS_OF_COLLIDABLES 1
+#define GROUPS_OF_CONTACTS    2
+#define GROUP_KINDS           3
 
 typedef struct // one entry of a run list, which a backend executes in order
 {

@@ -19,6 +19,7 @@ SMALL_END
 #include "stages/broad_phase/contact_slots.h"
 #include "stages/narrow_phase/narrow_phase.h"
 SMALL_BEGIN
+#include "stages/sleep/wake.h"
 #include "stages/solve/hub/hub_one.h"
 #include "stages/solve/press.h"
 SMALL_END

@@ -120,6 +120,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .presses = pipeline->statics && (request->kinematic > 0 || pipeline->tethers || pipeline->counters.ways > 0),
 	    .round = pipeline->round,
 	    .small = pipeline->continuous_way <= CONTINUOUS_TRAVEL * (0.5f * GRAIN_SIZE),
+	    .sleep = request->sleep || pipeline->sleeps,
+	    .sleep_threshold = request->sleep_threshold,
 	    .continuous_way = pipeline->continuous_way,
 	    .continuous_reach = pipeline->continuous_reach,
 	    .collidables = collidables,

@@ -18,6 +18,10 @@
 // Number of coloring rounds beyond those that the last step needed; then the host checks that no contact is uncolored.
 #define SPARE_ROUNDS 2
 
+// Number of steps without motion after which steps are skipped. In the first one the last island falls asleep; the
+// second one clears the marks of collidables that moved.
+#define QUIET_STEPS 3
+
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
 {
 	pipeline->backend = backend;
@@ -138,11 +142,13 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // true: no solve, or other runs before it
 	bool early = pipeline->backend->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
-	TRY(list_transform(pipeline, step));
+	pipeline->skips = step->sleep;
+	TRY(list_transform(pipeline, step, bodies));
 	for (;; early = false)
 	{
 		list_broad_phase(pipeline, step, bodies);
 		list_narrow_phase(pipeline, step, bodies);
+		list_sleep(pipeline, step, request);
 		list_color(pipeline, bodies, 0, rounds);
 		TRY(solve_or_read_back(pipeline, step, request, early, &solved));
 		if (!c->stalled)
@@ -166,6 +172,8 @@ static scree_status count_trees(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
+static int larger(int a, int b) { return a > b ? a : b; }
+
 // Reserves memory first, so that no lack of memory interrupts the step; then uploads the data that the stages read.
 static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 {
@@ -174,6 +182,8 @@ static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 	TRY(tree_upload(pipeline));
 	TRY(kinematics_upload(pipeline, request));
 	TRY(events_reserve(pipeline, request));
+	if (request->sleep) // for the scan of the groups of bodies and of collidables
+		TRY(pipeline_reserve(pipeline, PER_CONTACT, larger(request->bodies, request->collidables) / GROUP_ITEMS + 3));
 	if (request->field_shapes)
 		TRY(pipeline_reserve(pipeline, PER_FIELD_SHAPE, request->collidables));
 	if (pairs == 0)
@@ -182,10 +192,46 @@ static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 	return pipeline_reserve(pipeline, PER_KEY, pairs);
 }
 
+// Returns whether a step would change nothing: in the last QUIET_STEPS steps all bodies slept or cannot move, and the
+// user has changed nothing since. The counter `movers` that a step reads is that of the step before.
+static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
+{
+	bool same = request->dt == 0.0f || pipeline->counters.joints == 0 ||
+	            request->dt / (float)request->substeps == pipeline->step.h;
+	return pipeline->quiet >= QUIET_STEPS && !pipeline->edited && !pipeline->counters.joined_islands &&
+	       request->sleep && request->commands.count == 0 && !pipeline->asks && same;
+}
+
+// Ends a step that changes nothing, without the device.
+static void skip(Pipeline* pipeline, const StepRequest* request)
+{
+	if (request->dt > 0.0f)
+		pipeline->step = step_constants(pipeline, request);
+	pipeline->traffic = (scree_traffic){0};
+	memset(pipeline->stage_times, 0, sizeof pipeline->stage_times);
+	++pipeline->steps;
+	++pipeline->skipped;
+	pipeline->rested = true;
+}
+
+// Counts the successive steps in which nothing moved.
+static void count_quiet(Pipeline* pipeline)
+{
+	bool moved = pipeline->counters.movers != 0 || pipeline->edited;
+	pipeline->quiet = moved ? 0 : pipeline->quiet + (pipeline->quiet < QUIET_STEPS);
+	pipeline->edited = false;
+}
+
 scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
+	if (is_quiet(pipeline, request))
+	{
+		skip(pipeline, request);
+		return SCREE_OK;
+	}
 	pipeline->started = false;
+	pipeline->rested = false;
 	pipeline->trees[0].seen = false;
 	TRY(prepare(pipeline, request));
 	Step step = step_constants(pipeline, request);
@@ -204,6 +250,11 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	}
 	pipeline->started = false;
 	TRY(count_trees(pipeline));
+	if (request->dt > 0.0f && request->sleep)
+		count_quiet(pipeline);
+	pipeline->sleeps = request->sleep;
+	pipeline->listed = step.sleep;
+	pipeline->settles = pipeline->settles && request->dt == 0.0f;
 	pipeline->jumps = false;
 	pipeline->reverted = false;
 	pipeline_trim(pipeline);

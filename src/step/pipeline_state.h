@@ -46,6 +46,9 @@ typedef struct // the request of a step
 	float hit_speed, hit_impulse; // as Step.hit_speed, Step.hit_impulse
 	int fields;                   // number of active fields
 	bool field_shapes;            // some fields act on shapes
+	bool carried_fields;          // some fields move with bodies
+	bool sleep;                   // bodies may sleep
+	float sleep_threshold;        // as Step.sleep_threshold
 	bool request_again;           // as Step.request_again
 	const Word64* allowed;        // pairs of collidables that the user approved, sorted
 	int allowed_count;
@@ -60,12 +63,20 @@ typedef struct
 	uint8_t* member;       // for each slot of a collidable, bits of its trees; see tree_maintenance.c
 	int member_capacity;
 	RunList list;
-	Step step;             // constants of the last step with dt above 0; also argument of runs between steps
-	int used[PER_COUNT];   // for each PER_*: maximum number of items in use since `idle` was 0
-	int first_contacts;    // initial number of contact slots
-	int idle;              // number of steps since unused capacity was last checked
-	int sparse;            // number of consecutive steps in which most contact slots were unused
-	bool jumps;            // the user placed or created something since the last step, so boxes may jump
+	Step step;           // constants of the last step with dt above 0; also argument of runs between steps
+	int used[PER_COUNT]; // for each PER_*: maximum number of items in use since `idle` was 0
+	int first_contacts;  // initial number of contact slots
+	int idle;            // number of steps since unused capacity was last checked
+	int sparse;          // number of consecutive steps in which most contact slots were unused
+	bool jumps;          // the user placed or created something since the last step, so boxes may jump
+	bool sleeps;         // some body may sleep, because bodies were allowed to sleep in the last step or since
+	bool listed;         // the device lists the groups of items that a step visits
+	bool skips;          // the current step skips groups of items that cannot change
+	bool settles;        // the user puts bodies to sleep, or created sleeping ones, since the last step with dt above 0
+	bool edited;         // the user has changed something since the last step with dt above 0
+	int quiet;           // number of successive steps without motion, at most QUIET_STEPS
+	bool rested;         // the last step was skipped because nothing moved
+	int64_t skipped;     // number of steps that were skipped because nothing moved
 	bool surfaces_changed; // some collidable changed its attribute or its reported events since the last step
 	bool reports;          // some collidable has ever reported touches or hits
 	bool rules;            // some attribute is a one-way platform, or a pair of materials or an exclusion was set

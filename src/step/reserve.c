@@ -17,6 +17,9 @@
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096 // with at most this number of slots, packing would save nothing
 
+static const Per grouped[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT};
+static const Per groups[GROUP_KINDS] = {PER_BODY_GROUP, PER_COLLIDABLE_GROUP, PER_CONTACT_GROUP};
+
 static int64_t rounded(int64_t capacity) { return (capacity + LEAST_CAPACITY - 1) / LEAST_CAPACITY * LEAST_CAPACITY; }
 
 static int64_t constraints_of(int64_t contacts) { return contacts + (COLORS + 1) * COLOR_PADDING; }
@@ -83,6 +86,9 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 		if (!status)
 			status = resize(pipeline, PER_KEY, wanted);
 	}
+	for (int kind = 0; kind < GROUP_KINDS && !status; ++kind)
+		if (per == grouped[kind])
+			status = resize(pipeline, groups[kind], wanted / GROUP_ITEMS);
 	if (!status && per == PER_CONTACT && pipeline->reports)
 		status = resize(pipeline, PER_EVENT, wanted);
 	if (!status && per == PER_CONTACT && (pipeline->asks || pipeline->platforms))

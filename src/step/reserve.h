@@ -4,7 +4,7 @@
 #define RESERVE_H
 #include "step/pipeline_state.h"
 
-#define LEAST_CAPACITY 64 // number of items; requested capacities are rounded up to a multiple of this
+#define LEAST_CAPACITY GROUP_ITEMS // number of items; requested capacities are rounded up to a multiple of this
 
 // Ensures space for `capacity` items in the pools of `per` and in pools that depend on them; pools grow by half or
 // more.

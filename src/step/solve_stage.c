@@ -40,7 +40,7 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	}
 	if (request->fields > 0)
 	{
-		list_fields(pipeline, request, bound);
+		list_fields(pipeline, step, request, bound);
 		TRY(pipeline_run(pipeline, step));
 	}
 	Solve solve = {.bodies = request->bodies,
@@ -54,7 +54,13 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	               .chain_places = pipeline->chain_places,
 	               .taut = pipeline->taut && c->layout[CONSTRAINT_JOINT].begin[COLORS] > 0,
 	               .counters = c,
-	               .bound = bound};
+	               .bound = bound,
+	               .visited = bound};
+	if (step->sleep)
+	{
+		solve.bodies = (solve.bodies + GROUP_ITEMS - 1) / GROUP_ITEMS * GROUP_ITEMS;
+		solve.visited = bound == NO_COUNT ? COUNT(active_items) + GROUPS_OF_BODIES : COUNT(kept_bodies);
+	}
 #define CONSTRAINT_KIND(kind, Kind, KIND) solve.rare[CONSTRAINT_##KIND] = KIND##_RARE(step);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
@@ -104,6 +110,8 @@ static scree_status pack_contacts(Pipeline* pipeline, const Step* step)
 	runs_add(list, KERNEL_contact_list_free, 0, slots, NO_COUNT, 0);
 	runs_add(list, KERNEL_contact_pack, 0, slots, NO_COUNT, 0);
 	runs_add_single(list, KERNEL_contact_pack_end);
+	if (step->sleep)
+		list_packed_groups(pipeline);
 	c->contacts = c->alive - c->released;
 	pipeline->sparse = 0;
 	return pipeline_run(pipeline, step);

@@ -15,6 +15,17 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, RUN_PAIR(t, level));
 }
 
+// Lists the runs that recompute the boxes of tree 0 around collidables whose boxes changed.
+static void tree_refit_stale(RunList* list, const Tree* tree, const Step* step)
+{
+	if (tree->leaves == 0)
+		return;
+	runs_add(list, KERNEL_leaf_update, 0, step->collidables, COUNT(updated_boxes), 0);
+	for (int level = 1; level <= tree->top; ++level)
+		runs_add(list, KERNEL_tree_node, 0, tree->count[level], COUNT(stale_nodes) + level,
+		         RUN_PAIR(TREE_STALE_ONLY, level));
+}
+
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count)
 {
 	runs_add(list, KERNEL_tree_root, 0, 1, count, t | boxes);
@@ -40,11 +51,63 @@ static void tree_refit_all(RunList* list, const Tree* tree, int t)
 	tree_order(list, tree, t, COUNT(order) + t);
 }
 
-scree_status list_transform(Pipeline* pipeline, const Step* step)
+static int group_items(int items) { return (items + GROUP_ITEMS - 1) / GROUP_ITEMS * GROUP_ITEMS; }
+
+// Returns the counter of the items of a kind that a kernel visits; NO_COUNT in a world that does not sleep.
+static int visits(const Step* step, int kind) { return step->sleep ? COUNT(active_items) + kind : NO_COUNT; }
+
+static const Per group_pers[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT};
+
+static int group_count(const Backend* b, int kind) { return b->capacity[group_pers[kind]] / GROUP_ITEMS; }
+
+// Lists the runs that make all groups of items active, in the first step in which the world sleeps.
+static void list_all_groups(Pipeline* pipeline, const Step* step, int bodies)
+{
+	const int items[GROUP_KINDS] = {bodies, step->collidables, 0};
+	for (int kind = 0; kind < GROUP_KINDS; ++kind)
+		runs_add(&pipeline->list, KERNEL_group_reset, 0, group_count(pipeline->backend, kind), NO_COUNT,
+		         RUN_PAIR(kind, items[kind]));
+}
+
+void list_packed_groups(Pipeline* pipeline)
+{
+	runs_add(&pipeline->list, KERNEL_group_reset, 0, group_count(pipeline->backend, GROUPS_OF_CONTACTS), NO_COUNT,
+	         RUN_PAIR(GROUPS_OF_CONTACTS, 0));
+}
+
+// Lists the runs that sort the active groups of a kind, if the list changed.
+static void list_group_order(Pipeline* pipeline, int kind)
+{
+	RunList* list = &pipeline->list;
+	int groups = group_count(pipeline->backend, kind), count = COUNT(relist) + kind;
+	runs_add(list, KERNEL_group_mark, 0, groups + 1, count, RUN_PAIR(kind, groups));
+	runs_add(list, PRIMITIVE_SCAN, 0, groups + 1, count, 0);
+	runs_add(list, KERNEL_group_order, 0, groups + 1, count, RUN_PAIR(kind, groups));
+	runs_add(list, KERNEL_group_ordered, 0, 1, count, kind);
+}
+
+// Lists the runs that find the groups that rest from the next step on.
+static void list_group_search(Pipeline* pipeline)
+{
+	RunList* list = &pipeline->list;
+	for (int kind = 0; kind < GROUP_KINDS; ++kind)
+	{
+		int items = group_count(pipeline->backend, kind) * GROUP_ITEMS, count = COUNT(active_items) + kind;
+		runs_add(list, KERNEL_group_sink, 0, items, count, kind);
+		runs_add(list, KERNEL_group_keep, 0, items, count, kind);
+		runs_add(list, KERNEL_group_check, 0, items, count, kind);
+		if (kind != GROUPS_OF_CONTACTS) // list_sleep sorts the groups of contacts in every step
+			list_group_order(pipeline, kind);
+	}
+}
+
+scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
 	runs_add_single(list, KERNEL_step_begin);
-	runs_add(list, KERNEL_transform, 0, step->collidables, NO_COUNT, 0);
+	if (step->sleep && !pipeline->listed)
+		list_all_groups(pipeline, step, bodies);
+	runs_add(list, KERNEL_transform, 0, group_items(step->collidables), visits(step, GROUPS_OF_COLLIDABLES), 0);
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
@@ -65,7 +128,11 @@ scree_status list_transform(Pipeline* pipeline, const Step* step)
 		state->touched = true;
 	}
 	// the static tree changes only if the user moved something in it, or the device sorted its leaves
-	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched ? NO_COUNT : COUNT(refit));
+	const TreeState* moving = &pipeline->trees[0];
+	if (step->sleep && pipeline->listed && !moving->touched && !pipeline->jumps)
+		tree_refit_stale(list, &moving->tree, step);
+	else
+		tree_refit(list, &moving->tree, 0, moving->touched || step->sleep ? NO_COUNT : COUNT(refit));
 	if (pipeline->trees[1].touched || pipeline->jumps)
 		tree_refit(list, &pipeline->trees[1].tree, 1, pipeline->trees[1].touched ? NO_COUNT : COUNT(order) + 1);
 	pipeline->trees[0].touched = pipeline->trees[1].touched = false;
@@ -99,9 +166,10 @@ void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies)
 	runs_add(list, KERNEL_broad_phase_rest, 0, step->traversal_items, COUNT(rest), 0);
 	runs_add(list, KERNEL_contact_admit, 0, 1, COUNT(pairs), 0);
 	runs_add_sort(list, step->pair_capacity, COUNT(sort_pairs), 0, 2 * step->key_bits);
-	runs_add(list, KERNEL_contact_mark_free, 0, contacts, COUNT(search), 0);
-	runs_add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(search), 0);
-	runs_add(list, KERNEL_contact_list_free, 0, contacts, COUNT(search), 0);
+	int groups = group_count(pipeline->backend, GROUPS_OF_CONTACTS) + 1, slots = step->sleep ? groups : contacts;
+	runs_add(list, step->sleep ? KERNEL_contact_mark_group : KERNEL_contact_mark_free, 0, slots, COUNT(search), 0);
+	runs_add(list, PRIMITIVE_SCAN, 0, slots, COUNT(search), 0);
+	runs_add(list, step->sleep ? KERNEL_contact_list_group : KERNEL_contact_list_free, 0, slots, COUNT(search), 0);
 	runs_add(list, KERNEL_contact_reserve, 0, 1, COUNT(pairs), 0);
 	runs_add(list, KERNEL_contact_create, 0, contacts, COUNT(created), 0);
 	if (joints)
@@ -122,6 +190,11 @@ static void list_approvals(RunList* list, const Step* step, int bodies, bool pla
 void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
+	if (step->sleep)
+	{
+		runs_add(list, KERNEL_contact_touch, 0, step->contact_capacity, COUNT(touched), 0);
+		runs_add(list, KERNEL_contact_touch, 0, step->contact_capacity, COUNT(shifted), 0);
+	}
 	if (pipeline->platforms)
 	{
 		runs_add(list, KERNEL_sunk_begin, 0, bodies, NO_COUNT, 0);
@@ -131,10 +204,60 @@ void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, KERNEL_contact_rule, 0, step->contact_capacity, COUNT(live), 0);
 	if (pipeline->reports)
 		runs_add(list, KERNEL_touch_part, 0, step->contact_capacity, COUNT(live), 0);
-	runs_add(list, KERNEL_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
+	int keeps = step->sleep ? visits(step, GROUPS_OF_CONTACTS) : COUNT(live);
+	runs_add(list, KERNEL_narrow_phase_keep, 0, step->contact_capacity, keeps, 0);
 	runs_add(list, KERNEL_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
 	if (step->asks || pipeline->platforms)
 		list_approvals(list, step, bodies, pipeline->platforms);
+}
+
+// Lists the runs that compute poses and boxes of fields.
+static void list_field_boxes(Pipeline* pipeline, const StepRequest* request, int bound)
+{
+	RunList* list = &pipeline->list;
+	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
+	runs_add(list, KERNEL_field_place, 0, padded, bound, fields);
+	if (fields > FIELD_FEW)
+		runs_add(list, KERNEL_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);
+}
+
+void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request)
+{
+	RunList* list = &pipeline->list;
+	int contacts = step->contact_capacity, joints = pipeline->counters.joints, bodies = group_items(request->bodies);
+	bool due = pipeline->steps % SLEEP_STEPS == 0;
+	int search = pipeline->settles ? SEARCH_NOW : due ? SEARCH_DROWSY : SEARCH_NEVER;
+	search = request->sleep && step->dt > 0.0f ? search : SEARCH_NEVER;
+	if (!step->sleep)
+		return;
+	if (request->carried_fields)
+	{
+		list_field_boxes(pipeline, request, NO_COUNT);
+		runs_add(list, KERNEL_field_wake, 0, bodies, NO_COUNT, request->fields);
+	}
+	runs_add(list, KERNEL_contact_wake, 0, contacts, COUNT(shifted), 0);
+	if (joints > 0)
+		runs_add(list, KERNEL_joint_wake, 0, joints, COUNT(woken), 0);
+	runs_add(list, KERNEL_sleep_begin, 0, 1, NO_COUNT, search);
+	if (search != SEARCH_NEVER)
+	{
+		runs_add(list, KERNEL_island_begin, 0, bodies, COUNT(search_bodies), 0);
+		runs_add(list, KERNEL_contact_link, 0, contacts, COUNT(search_contacts), 0);
+		if (joints > 0)
+			runs_add(list, KERNEL_joint_link, 0, joints, COUNT(searching), 0);
+		runs_add(list, KERNEL_island_gather, 0, bodies, COUNT(search_bodies), 0);
+		runs_add(list, KERNEL_island_end, 0, bodies, COUNT(search_bodies), 0);
+	}
+	runs_add(list, KERNEL_body_wake, 0, bodies, COUNT(waking), 0);
+	runs_add(list, KERNEL_contact_sleep, 0, contacts, COUNT(settling), 0);
+	if (joints > 0)
+		runs_add(list, KERNEL_joint_sleep, 0, joints, COUNT(settling), 0);
+	if (joints > 0 && step->h_ratio != 1.0f)
+		runs_add(list, KERNEL_joint_rescale, 0, joints, NO_COUNT, 0);
+	runs_add(list, KERNEL_sleep_end, 0, bodies, COUNT(marked), 0);
+	if (due)
+		list_group_search(pipeline);
+	list_group_order(pipeline, GROUPS_OF_CONTACTS);
 }
 
 static void list_joint_constraints(RunList* list, int joints)
@@ -197,6 +320,8 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to)
 	// each layout may move the rows of joints
 	if (pipeline->paths || pipeline->couplings)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
+	if (pipeline->skips)
+		runs_add_single(list, KERNEL_solve_bound);
 }
 
 // Number of contacts by which a press spreads per step. With 1 instead of 2, a press of 1 m/s moves 5 capsules in a row
@@ -218,14 +343,15 @@ void list_presses(Pipeline* pipeline, int bodies, bool may_wait)
 	}
 }
 
-void list_fields(Pipeline* pipeline, const StepRequest* request, int bound)
+void list_fields(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
 {
 	RunList* list = &pipeline->list;
-	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
-	runs_add(list, KERNEL_field_place, 0, padded, bound, fields);
-	if (fields > FIELD_FEW)
-		runs_add(list, KERNEL_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);
+	int fields = request->fields;
+	list_field_boxes(pipeline, request, bound);
 	if (request->field_shapes)
-		runs_add(list, KERNEL_field_shape, 0, request->collidables, bound, fields);
-	runs_add(list, KERNEL_field_body, 0, request->bodies, bound, RUN_PAIR(request->field_shapes, fields));
+		runs_add(list, KERNEL_field_shape, 0, group_items(request->collidables),
+		         bound == NO_COUNT ? visits(step, GROUPS_OF_COLLIDABLES) : bound, fields);
+	int visited = bound == NO_COUNT ? visits(step, GROUPS_OF_BODIES) : step->sleep ? COUNT(kept_bodies) : bound;
+	runs_add(list, KERNEL_field_body, 0, group_items(request->bodies), visited,
+	         RUN_PAIR(request->field_shapes, fields));
 }

@@ -7,9 +7,11 @@
 #define STAGE_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128) // maximum number of runs listed before the solve
 
 // Lists the runs that compute boxes and trees. If the host decides to sort a tree, also executes the list.
-scree_status list_transform(Pipeline* pipeline, const Step* step);
+scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies);
 void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies);
 void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies);
+// Lists the runs that wake islands and, in some steps, search for islands and put them to sleep.
+void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request);
 // Lists the coloring rounds `from` to `to` - 1, and the layout, which the device skips if constraints have no color.
 void list_color(Pipeline* pipeline, int bodies, int from, int to);
 
@@ -20,6 +22,9 @@ void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int coun
 // Lists the runs that find bodies pressed against bodies that cannot move. may_wait: true if the layout may be old.
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait);
 // Lists the runs that compute the forces of fields at the start of the step. bound: as for solve_start.
-void list_fields(Pipeline* pipeline, const StepRequest* request, int bound);
+void list_fields(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound);
+
+// Lists the run that makes all groups of contacts active, after contacts were packed.
+void list_packed_groups(Pipeline* pipeline);
 
 #endif

@@ -5,12 +5,12 @@
 #include "step/dispatch.h"
 #include "step/reserve.h"
 
-scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint64_t* hash)
+scree_status pipeline_hash(Pipeline* pipeline, bool sleep, int bodies, int collidables, uint64_t* hash)
 {
 	Backend* b = pipeline->backend;
 	Step step = {0};
 	Run runs[2 + CONSTRAINT_KINDS] = {
-	    {.kernel_id = KERNEL_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = bodies},
+	    {.kernel_id = KERNEL_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = RUN_PAIR(sleep, bodies)},
 	    {.kernel_id = KERNEL_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = collidables},
 	};
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
@@ -44,6 +44,29 @@ scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count)
 	step.couplings = pipeline->couplings;
 	step.paths = pipeline->paths;
 	return b->f->run(b, &step, &run, 1);
+}
+
+scree_status pipeline_report_sleep(Pipeline* pipeline, int first, int count)
+{
+	Backend* b = pipeline->backend;
+	Step step = {0};
+	Run run = {.kernel_id = KERNEL_sleep_report, .begin = first, .end = first + count, .count = NO_COUNT};
+	return b->f->run(b, &step, &run, 1);
+}
+
+scree_status pipeline_count_sleep(Pipeline* pipeline, int bodies, int* asleep, int* touching)
+{
+	Backend* b = pipeline->backend;
+	Step step = {0};
+	Run run = {.kernel_id = KERNEL_sleep_count, .end = HASH_SUMS, .count = NO_COUNT, .argument = bodies};
+	uint64_t sums[HASH_SUMS], sum = 0;
+	TRY(b->f->run(b, &step, &run, 1));
+	TRY(b->f->read(b, POOL_hash, 0, HASH_SUMS, sums));
+	for (int k = 0; k < HASH_SUMS; ++k)
+		sum += sums[k];
+	*asleep = (int)(uint32_t)sum;
+	*touching = (int)(sum >> 32);
+	return SCREE_OK;
 }
 
 scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, int* count)

@@ -52,8 +52,9 @@ void world_destroy(scree_world* world)
 	exclusions_close(world);
 	sensors_close(world);
 	scree_release(world->moved);
+	scree_release(world->touched.keys);
 	close_queries(&world->queries);
-	close_queries(&world->blast_queries);
+	close_queries(&world->own_queries);
 	scree_release(world->attributes);
 	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);

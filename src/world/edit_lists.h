@@ -16,6 +16,8 @@ typedef struct // row of a created or destroyed body; if destroyed, values are 0
 	BodyValues values;
 	float inv_mass, inv_inertia;
 	uint32_t locks;
+	float sleep_threshold; // value of the pool sleep_threshold
+	bool asleep;
 	bool disabled;
 } BodyRow;
 

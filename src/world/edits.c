@@ -54,6 +54,13 @@ void edits_collidable(scree_world* world, int index)
 	p->collidables[waiting->row - 1] = (CollidableRow){index, p->command_count};
 }
 
+int command_bits(const scree_world* world, int body)
+{
+	const HostBody* host = world->host_bodies + body;
+	bool joined = host->type != SCREE_BODY_DYNAMIC && host->first_joint > 0;
+	return (host->disabled ? COMMAND_DISABLED : 0) | (joined ? COMMAND_JOINED : 0);
+}
+
 void edits_command(scree_world* world, int kind, int index, Float4 value, int whole)
 {
 	edits_whole(world, (Command){.kind = kind, .index = index, .whole = {whole}, .value = value});
@@ -63,7 +70,7 @@ void edits_whole(scree_world* world, Command command)
 {
 	Edits* p = &world->edits;
 	if (command.kind < COMMAND_BODY)
-		command.whole[1] = world->host_bodies[command.index].disabled;
+		command.whole[1] = command_bits(world, command.index);
 	if (command.kind == COMMAND_MASS)
 	{
 		note_heavy(world, command.value.x, command.value.y);

@@ -15,6 +15,9 @@ void edits_body(scree_world* world, BodyRow row);
 // Records that a collidable was created or destroyed, or that its contacts must end and begin again.
 void edits_collidable(scree_world* world, int index);
 
+// Returns the COMMAND_* bits of a body for Command.whole[1].
+int command_bits(const scree_world* world, int body);
+
 // Record a command. whole: value of Command.whole[0].
 void edits_command(scree_world* world, int kind, int index, Float4 value, int whole);
 void edits_whole(scree_world* world, Command command);

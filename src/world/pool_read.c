@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // pool_read.c -- reads pools from the device.
 #include "world/pool_read.h"
+#include "step/state_readback.h"
 #include "world/device/auto.h"
 #include "world/failure.h"
 #include "world/shape/geometry.h"
@@ -13,6 +14,12 @@ scree_status world_read(scree_world* world, PoolId pool, int first, int count, v
 	scree_status status = b->f->read(b, pool, first, count, items);
 	auto_count(world, begin);
 	return world_note(world, status);
+}
+
+scree_status world_read_sleep(scree_world* world, int first, int count, int* asleep)
+{
+	TRY(world_note(world, pipeline_report_sleep(&world->pipeline, first, count)));
+	return world_read(world, POOL_island, first, count, asleep);
 }
 
 scree_pose world_body_pose(const scree_world* world, int index, const Float4* row)

@@ -9,7 +9,9 @@ scree_tuning tuning_of(const scree_world_def* def)
 	                      .contact_damping_ratio = def->contact_damping_ratio,
 	                      .contact_push_speed = def->contact_push_speed,
 	                      .restitution_threshold = def->restitution_threshold,
-	                      .max_speed = def->max_speed};
+	                      .max_speed = def->max_speed,
+	                      .sleep = def->sleep,
+	                      .sleep_threshold = def->sleep_threshold};
 }
 
 scree_status check_tuning(ArgumentPlace at, const scree_tuning* tuning)
@@ -18,5 +20,6 @@ scree_status check_tuning(ArgumentPlace at, const scree_tuning* tuning)
 	TRY(check_real(at, ".contact_damping_ratio", tuning->contact_damping_ratio, 0.0f, 1e6f));
 	TRY(check_real(at, ".contact_push_speed", tuning->contact_push_speed, 0.0f, SCREE_MAX_COORDINATE));
 	TRY(check_real(at, ".restitution_threshold", tuning->restitution_threshold, 0.0f, FLT_MAX));
-	return check_real(at, ".max_speed", tuning->max_speed, 1e-3f, SCREE_MAX_COORDINATE);
+	TRY(check_real(at, ".max_speed", tuning->max_speed, 1e-3f, SCREE_MAX_COORDINATE));
+	return check_real(at, ".sleep_threshold", tuning->sleep_threshold, 1e-6f, 1e6f);
 }

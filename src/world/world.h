@@ -95,9 +95,10 @@ typedef struct
 	Slots slots;
 	HostField* host; // per slot
 	int capacity;
-	bool stale;  // true: a field has changed since the last upload
-	int acting;  // number of active fields on the device
-	bool shapes; // true: some active field acts on shapes, not only on centers of mass
+	bool stale;   // true: a field has changed since the last upload
+	int acting;   // number of active fields on the device
+	bool carried; // true: some active field moves with a body
+	bool shapes;  // true: some active field acts on shapes, not only on centers of mass
 } Fields;
 
 typedef struct // host data of an attribute, beside its definition
@@ -206,6 +207,13 @@ typedef struct // the checked shape of the last queries, and the query results o
 	int capacity, query_capacity, first_capacity;
 } Queries;
 
+typedef struct // groups of items that the user changed since the last upload
+{
+	Word64* keys; // per group: the kind and, in the lower 32 bits, its number
+	int count, capacity;
+	int last[GROUP_KINDS]; // for each kind: 1 + number of the last group that was added
+} Touched;
+
 struct scree_world
 {
 	scree_world_def def;
@@ -240,7 +248,7 @@ struct scree_world
 	int target_count, target_capacity;
 	Edits edits;
 	Reports reports;
-	Queries queries, blast_queries; // queries of the user; queries of blasts, which leave the user's list unchanged
+	Queries queries, own_queries; // queries of the user; queries that the library makes (own_queries.h)
 	Sensors sensors;
 	Materials materials;
 	Fields fields;
@@ -248,6 +256,7 @@ struct scree_world
 	char* moved; // rows of the last scree_world_get_moved_bodies
 	int moved_capacity;
 	IdleBlocks idle[ACTIVE_KINDS];
+	Touched touched;
 	Pipeline pipeline;
 	size_t shared[SHARED_USES]; // bytes of the memory that is shared for each use; 0 while no memory is shared
 	AutoDevice auto_device;

@@ -12,13 +12,14 @@
 
 // adds items to a list with an atomic counter, as a device does
 #undef LIST_KERNEL
-#define LIST_KERNEL(name, list, length)                           \
-	INLINE int name##_listed(const Pools* p, int i);              \
-	INLINE void name##_item(const Pools* p, int i)                \
-	{                                                             \
-		if (name##_listed(p, i))                                  \
-			p->list[atomic_add_int(&p->counters->length, 1)] = i; \
-	}                                                             \
+#define LIST_KERNEL(name, list, length)                              \
+	INLINE int name##_listed(const Pools* p, int i);                 \
+	INLINE void name##_item(const Pools* p, int i)                   \
+	{                                                                \
+		int item = name##_listed(p, i);                              \
+		if (item >= 0)                                               \
+			p->list[atomic_add_int(&p->counters->length, 1)] = item; \
+	}                                                                \
 	INLINE int name##_listed(const Pools* p, int i)
 
 // TILE_BODIES is so small that a small world has several tiles. TILE_GROUP is larger than the number of colors, because

@@ -170,6 +170,7 @@ static void put_body(Maker* m)
 		call_set(&call, "locks", (float)below(m, 8));
 	if (chance(m, 0.05))
 		call_set(&call, "disabled", 1.0f);
+	set_asleep(m, &call);
 	set_filter(m, &call);
 	set_reports(m, &call);
 	set_sensor(m, &call);
@@ -193,6 +194,7 @@ static void put_bodies(Maker* m, int count)
 	call_set(&call, "dy", apart);
 	if (chance(m, 0.3))
 		set_velocity(m, &call, "vx", "vy", "w");
+	set_asleep(m, &call);
 	m->bodies += count;
 	m->alive += count;
 	put(m, call);
@@ -260,6 +262,8 @@ static void put_floor(Maker* m)
 static void put_step(Maker* m)
 {
 	Call call = call_make(CALL_step);
+	if (m->sleeps && chance(m, 0.5))
+		call_set(&call, "dt", step_length(m));
 	if (chance(m, 0.2))
 		call_set(&call, "dt",
 		         PICK(m, 0.0f, 0.0f, 0.0f, 1e-10f, 1e-9f, 1e-6f, 1e-4f, 1e-3f, 1.0f / 240.0f, 1.0f / 30.0f, 0.1f, 0.5f,
@@ -448,6 +452,7 @@ static void put_tuning(Maker* m)
 {
 	Call call = call_make(CALL_tuning);
 	set_tuning(m, &call);
+	set_sleep(m, &call);
 	put(m, call);
 }
 
@@ -498,6 +503,11 @@ static void put_blast(Maker* m)
 
 static void put_any(Maker* m)
 {
+	if (m->sleeps && chance(m, 0.12))
+	{
+		put_sleep(m);
+		return;
+	}
 	// few calls are steps, because on a GPU a step takes as long as dozens of other calls
 	int k = below(m, 100);
 	if (k < 12)
@@ -549,6 +559,8 @@ static void put_world(Maker* m)
 		call_set(&call, "gravity_y", amount(m, 20.0f));
 	}
 	set_tuning(m, &call);
+	m->sleeps = chance(m, 0.5);
+	set_sleep(m, &call);
 	if (chance(m, 0.3))
 		call_set(&call, "bodies", 200.0f);
 	if (chance(m, 0.3))
@@ -575,6 +587,9 @@ void program_make(Program* program, uint64_t seed, int calls)
 	m.rules = chance(&m, 0.4);
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	m.fields = chance(&m, 0.4);
+	m.sleeps = chance(&m, 0.5);
+	if (m.sleeps && call_value(&program->calls[0], "sleep") == 0.0f)
+		put_tuning(&m);
 	for (int k = 3 + below(&m, 4); k > 0; --k)
 		put_attribute(&m);
 	if (chance(&m, 0.85))

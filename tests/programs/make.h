@@ -27,6 +27,7 @@ typedef struct
 	bool asks;     // has queries
 	bool senses;   // some collidables are sensors
 	bool fields;   // has fields
+	bool sleeps;   // bodies may sleep
 	bool rules;    // has one-way platforms, materials, excluded pairs and contact approval
 } Maker;
 
@@ -98,6 +99,12 @@ void put_joint(Maker* m);
 void put_joints(Maker* m, int count); // joins a row of bodies that the last call created
 void put_joint_change(Maker* m);
 void put_path(Maker* m); // adds or destroys a path
+
+// defined in make_sleep.c
+void set_sleep(Maker* m, Call* call);  // sets whether a world sleeps, and its threshold
+void set_asleep(Maker* m, Call* call); // sets whether a new body sleeps, and its threshold
+float step_length(Maker* m);           // returns a length of a step; a few of these steps last 0.5 s
+void put_sleep(Maker* m);
 
 // defined in make_field.c
 void put_field(Maker* m);

@@ -2,6 +2,7 @@
 // pair.c -- runs a program on two worlds side by side, which must have equal statuses, results and hashes.
 #include "backend/arithmetic.h"
 #include "programs/run_call.h"
+#include "world/world.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,6 +64,8 @@ static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 	if (call->kind != CALL_step) // a step opens no device, and the worlds may take their steps at the same time
 		arithmetic_setting.flush = pair->places[k].flush;
 	CallRun run = {call, pair->worlds[k], pair->names[k], &pair->places[k], pair->homes[k], &left};
+	if (pair->places[k].reads)
+		pair->worlds[k]->pipeline.quiet = 0; // no step is skipped (step/pipeline.c)
 	left.status = run_call(&run);
 	if (left.status != SCREE_OK)
 		snprintf(left.error, sizeof left.error, "%s", scree_error());
@@ -218,7 +221,7 @@ static bool left_differs(const Left* a, const Left* b, Outcome* outcome)
 
 void program_add_empty(Program* program)
 {
-	static const CallKind kinds[] = {CALL_move, CALL_clear, CALL_step, CALL_step, CALL_gravity};
+	static const CallKind kinds[] = {CALL_move, CALL_clear, CALL_step, CALL_step, CALL_gravity, CALL_tuning};
 	const Call made = program->calls[0];
 	for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; ++k)
 	{
@@ -230,6 +233,8 @@ void program_add_empty(Program* program)
 			call_set(&call, "x", call_value(&made, "gravity_x"));
 			call_set(&call, "y", call_value(&made, "gravity_y"));
 		}
+		for (int i = 0; i < call_info(CALL_tuning)->count && call.kind == CALL_tuning; ++i)
+			call_set(&call, call_info(CALL_tuning)->names[i], call_value(&made, call_info(CALL_tuning)->names[i]));
 		program_add(program, call);
 	}
 }
@@ -280,6 +285,7 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 {
 	Outcome outcome = {0};
+	Sleepers sleepers = {0};
 	if (!pair_ready(pair, &program->calls[0], &outcome))
 		return outcome;
 	for (int i = 1; i < program->count; ++i)
@@ -298,8 +304,10 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 		if (!differs && moved && left[0].status == SCREE_OK && hashes)
 		{
 			outcome.frozen += state_frozen(pair->worlds[0]);
+			sleepers_count(&sleepers, pair->worlds[0], &outcome.slept, &outcome.woke);
 			bool good = (pair->infinite || state_finite(pair->worlds[0], outcome.sentence)) &&
 			            state_colored(pair->worlds[0], outcome.sentence) &&
+			            state_sleeps(pair->worlds[0], outcome.sentence) &&
 			            (!pair->limits || state_limited(pair->worlds[0], outcome.sentence));
 			differs = outcome.differs = !good;
 		}
@@ -307,7 +315,8 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 			continue;
 		if (details && left[0].status == SCREE_OK && left[1].status == SCREE_OK)
 			different_print(pair->worlds[0], pair->worlds[1], details);
-		return outcome;
+		break;
 	}
+	sleepers_close(&sleepers);
 	return outcome;
 }

@@ -67,6 +67,8 @@ int farm_run(const Options* o)
 			all.failed += desks[k].failed;
 			all.steps += desks[k].steps;
 			all.frozen += desks[k].frozen;
+			all.sleeping += desks[k].sleeping;
+			all.woken += desks[k].woken;
 			all.hash += desks[k].hash;
 		}
 	return farm_print_counts(o, &all, seconds_now() - begin);

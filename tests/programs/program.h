@@ -65,7 +65,9 @@ typedef struct // first device of a world, and device to which the call "move" m
 	char device[128], other[128];
 	int threads, lanes;
 	bool flush; // true: its devices flush denormals to 0 (backend/arithmetic.h)
-	bool reads; // true: between calls the world is read, and moved to the device that it is on
+	// true: between calls the world is read, and moved to the device that it is on; it skips no steps in which nothing
+	// moves
+	bool reads;
 } Place;
 
 // number of values of Pair.first_read; each value selects other reads for the same calls
@@ -92,6 +94,7 @@ typedef struct
 	int call;           // index of the first call after which the worlds differ
 	char sentence[256]; // description of the difference
 	int steps, frozen;  // number of steps; number of bodies that were frozen in these steps
+	int slept, woke;    // number of times that a body fell asleep, and that a body woke
 	uint64_t hash;      // hash of the results of all calls; equal on every platform
 } Outcome;
 
@@ -116,6 +119,20 @@ bool state_finite(scree_world* world, char sentence[256]);
 bool state_limited(scree_world* world, char sentence[256]);
 // Returns the number of bodies that the last step froze.
 int state_frozen(scree_world* world);
+
+// count_sleep.c: counts bodies that fall asleep and wake.
+typedef struct
+{
+	scree_body* sleepers; // per slot: the body that slept there after the last step, or null
+	int slots;
+} Sleepers;
+// Adds the numbers of bodies that fell asleep, and that woke, since the last call.
+void sleepers_count(Sleepers* sleepers, scree_world* world, int* slept, int* woke);
+void sleepers_close(Sleepers* sleepers);
+
+// check_sleep.c: returns whether joined bodies sleep together, and the constraints of awake bodies only are solved. If
+// not, sentence gets the first fault.
+bool state_sleeps(scree_world* world, char sentence[256]);
 
 // coloring.c: returns whether colors, counts and hubs are consistent. If not, sentence gets the first fault.
 bool state_colored(scree_world* world, char sentence[256]);

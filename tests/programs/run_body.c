@@ -16,6 +16,9 @@ static scree_status create(const CallRun* r)
 	def.filter = call_filter(r);
 	def.reports = (uint32_t)call_whole(r, "reports");
 	def.sensor = (uint32_t)call_whole(r, "sensor");
+	def.asleep = call_whole(r, "asleep") != 0;
+	def.stays_awake = call_whole(r, "stays_awake") != 0;
+	def.sleep_threshold = call_real(r, "sleep_threshold");
 	if (call_real(r, "attribute") >= 0.0f)
 		def.attribute = call_attribute(r, "attribute");
 	scree_body made = {0, 0};
@@ -39,6 +42,7 @@ static scree_status create_batch(const CallRun* r)
 		defs[k].pose.position.x = call_real(r, "x") + (float)(k % columns) * call_real(r, "dx");
 		defs[k].pose.position.y = call_real(r, "y") + (float)(k / columns) * call_real(r, "dy");
 		defs[k].velocity = (scree_velocity){call_vec(r, "vx", "vy"), call_real(r, "w")};
+		defs[k].asleep = call_whole(r, "asleep") != 0;
 	}
 	return scree_bodies_create(r->world, defs, count, r->names->bodies + (count > 0 ? first : 0));
 }

@@ -187,6 +187,8 @@ static scree_status run_read(const CallRun* r)
 		word = hash_words(hash_words(word, &pose, sizeof pose), &velocity, sizeof velocity);
 	}
 	if (status == SCREE_OK)
+		status = read_sleep(r, body, &word);
+	if (status == SCREE_OK)
 		status = read_joints(r, &word);
 	if (status == SCREE_OK)
 		status = read_paths(r, &word);
@@ -205,6 +207,8 @@ static scree_status run_tuning(const CallRun* r)
 	tuning.contact_push_speed = call_real(r, "push");
 	tuning.restitution_threshold = call_real(r, "threshold");
 	tuning.max_speed = call_real(r, "max_speed");
+	tuning.sleep = call_whole(r, "sleep") != 0;
+	tuning.sleep_threshold = call_real(r, "sleep_threshold");
 	return status == SCREE_OK ? scree_world_set_tuning(r->world, &tuning) : status;
 }
 
@@ -287,6 +291,13 @@ scree_status run_call(const CallRun* r)
 	case CALL_joint_thresholds:
 	case CALL_collide_connected:
 		return run_joint(r);
+	case CALL_awake:
+	case CALL_awake_box:
+	case CALL_awake_world:
+	case CALL_awake_get:
+	case CALL_sleep_threshold:
+	case CALL_stays_awake:
+		return run_sleep(r);
 	case CALL_gravity:
 		return scree_world_set_gravity(r->world, call_vec(r, "x", "y"));
 	case CALL_tuning:
@@ -329,5 +340,7 @@ scree_status run_world(const Place* place, const Call* call, scree_world** world
 	def.body_capacity = call_whole(&t, "bodies");
 	def.contact_capacity = call_whole(&t, "contacts");
 	def.contact_details = call_whole(&t, "details") != 0;
+	def.sleep = call_whole(&t, "sleep") != 0;
+	def.sleep_threshold = call_real(&t, "sleep_threshold");
 	return scree_world_create(&def, world);
 }

@@ -77,6 +77,11 @@ scree_status run_field(const CallRun* run);
 scree_status read_fields(const CallRun* run, uint64_t* word);
 scree_status clear_fields(const CallRun* run);
 
+// run_sleep.c: makes calls of sleep. read_sleep mixes the states of all bodies, and the definition of one body, into a
+// word.
+scree_status run_sleep(const CallRun* run);
+scree_status read_sleep(const CallRun* run, scree_body body, uint64_t* word);
+
 // run_query.c: makes queries and blasts, and mixes their results into a word.
 scree_status run_ask(const CallRun* run);
 scree_status run_blast(const CallRun* run);

@@ -21,7 +21,7 @@ static uint64_t mix_results(uint64_t word, const scree_query_result* results, in
 static uint64_t mix_moved(uint64_t word, const scree_moved_body* m)
 {
 	word = hash_words(hash_words(word, &m->body, sizeof m->body), &m->pose, sizeof m->pose);
-	return mix_user(hash_words(word, &m->velocity, sizeof m->velocity), m->user, 0);
+	return mix_user(hash_words(word, &m->velocity, sizeof m->velocity), m->user, m->asleep);
 }
 
 static scree_status mix_list(scree_status status, const scree_query_results* list, uint64_t* word)

@@ -13,12 +13,14 @@ typedef struct
 } SmallScene;
 
 static const SmallScene small_scenes[] = {
+    {"alarm-clock", 400, {{"clocks", "2"}, {"towers", "1"}}}, // enough steps for a tower to fall
     {"billiards", 300, {{"rack", "10"}}},
     {"blast", 240, {{"towers", "3"}, {"storeys", "5"}}},
     {"bridge", 240, {{"planks", "30"}}},
     {"cars", 240, {{"roads", "3"}}},
     {"chains", 240, {{"lengths", "4"}}}, // enough for several chains to share a block of MAX_LANES columns
     {"churn", 120, {{"columns", "20"}, {"rows", "16"}, {"moved", "12"}, {"replaced", "30"}}},
+    {"city", 240, {{"bodies", "1100"}}}, // enough steps for the ball to reach a house
     {"cloth", 160, {{"columns", "24"}, {"rows", "20"}, {"pins", "4"}}},
     {"coaster", 240, {{"speed", "20"}}}, // m/s: fast enough to pass through the loop
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},

@@ -56,6 +56,32 @@ const other = scree.createWorld();
 assert.throws(() => other.bodies.destroy([b]), /must be a body of the same world/);
 other.destroy();
 
+// sleep: a body that is made asleep hangs in the air; calls wake bodies and put them to sleep in the next step
+const quiet = scree.createWorld({gravity: {x: 0, y: -10}, sleep: true, sleepThreshold: 0.125}), shaped = box(quiet);
+const pair = quiet.bodies.create([0, 9].map((x) => ({pose: {position: {x, y: 5}}, attribute: shaped, asleep: x === 0, sleepThreshold: 0.25})));
+quiet.step(1 / 60, 4);
+assert.deepEqual(quiet.bodies.getAwake(pair), [false, true]);
+assert.deepEqual(quiet.getStates().map((state) => state.asleep), [true, false]);
+assert.equal(pair[0].getPose().position.y, 5);
+quiet.bodies.setAwake(pair, [true, false]);
+quiet.step(1 / 60, 4);
+assert.deepEqual(pair.map((body) => body.getAwake()), [true, false]);
+quiet.setBoxAwake({lower: {x: 8, y: 0}, upper: {x: 10, y: 9}}, true);
+pair[0].setAwake(false);
+quiet.step(1 / 60, 4);
+assert.deepEqual(pair.map((body) => body.getAwake()), [false, true]);
+quiet.setAwake(false);
+pair[1].setStaysAwake(true);
+pair[1].setSleepThreshold(0.5);
+quiet.step(1 / 60, 4);
+assert.deepEqual(quiet.bodies.getAwake(pair), [false, true]);
+assert.deepEqual([pair[0].getStaysAwake(), pair[1].getStaysAwake(), pair[0].getSleepThreshold(), pair[1].getSleepThreshold()], [false, true, 0.25, 0.5]);
+assert.deepEqual([pair[1].getDef().staysAwake, quiet.getTuning().sleep, quiet.getTuning().sleepThreshold], [true, true, 0.125]);
+fails(() => pair[0].setSleepThreshold(-1), Status.ERROR_INVALID, /threshold is -1/);
+assert.throws(() => quiet.createBody({asleep: 1}), /argument 1\.asleep is 1, must be true or false/);
+assert.throws(() => quiet.bodies.setAwake(pair, [true]), /has 1 items, but the array before it has 2/);
+quiet.destroy();
+
 // calls every method of the header: each returns a result or throws an error with a message
 let methods = 0;
 for (const target of [scree, world, ...["bodies", "joints", "collidables", "movers"].map((name) => world[name]), b, joint, field, path, b.getCollidables()[0], box(world)])

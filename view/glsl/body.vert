@@ -33,7 +33,7 @@ void main()
 	int mark = mark_of(first + gl_InstanceID);
 	if (hidden(mark) || name.x < 0 || (reach < least && sizes.w > 0.0) || unseen(sizes.z))
 		return;
-	color = row_color(base.rgb);
+	color = shown_color(base.rgb);
 	hollow = int(name.y < 0 || mark != 0);
 	if (mark != 0)
 	{

@@ -21,7 +21,10 @@ uniform usampler2D graph;     // per body: highest graph color of its contacts; 
 uniform sampler2D shares;     // per body, 0 to 1: square root of (force / force_range); or x, y of the starting place
 uniform sampler2D velocities; // per body: velocity, m/s
 uniform usampler2D marks;     // per row: mark, with the bits of sensor_marks.h
-uniform int sensors;              // 1: sensors are shown
+uniform usampler2D asleep;    // per body: 1 if it is asleep
+uniform int sensors;          // 1: sensors are shown
+uniform int sleeps;           // 1: the world sleeps, and the table `asleep` is filled
+uniform vec3 ground;          // color of the background
 
 const vec3 sensor = vec3(38, 138, 94) / 255.0;
 
@@ -83,4 +86,13 @@ vec3 row_color(vec3 middle)
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
 	vec3 color = paint == 5 ? types[1] : shade_color(middle, float(texelFetch(kinds, cell(name.y), 0).x >> 2) / 31.0);
 	return min(color * (0.92 + 0.16 * float(mixed >> 24) / 255.0), 1.0);
+}
+
+// Returns the color of a row: dim if its body is asleep.
+vec3 shown_color(vec3 middle)
+{
+	vec3 color = row_color(middle);
+	if (sleeps == 0 || name.y < 0 || texelFetch(asleep, cell(name.y), 0).x == 0u)
+		return color;
+	return mix(ground, color, 0.4);
 }

@@ -20,5 +20,5 @@ void main()
 	vec2 at = clip_of(pose.xy + turned(around.xy));
 	gl_Position = vec4(at, 0.0, 1.0);
 	square = vec3((at * 0.5 + 0.5) * size, 0.5 * side);
-	color = row_color(texelFetch(table, cell(texel + 2), 0).rgb);
+	color = shown_color(texelFetch(table, cell(texel + 2), 0).rgb);
 }

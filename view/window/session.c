@@ -80,6 +80,7 @@ static scree_status open_player(const Session* session, const Scene* scene, Scen
 	def.lanes = session->options->lanes;
 	def.allow_unequal_bits = session->options->allow_unequal_bits;
 	def.timings = true;
+	def.sleep = scene_sleeps(scene, session->options->sleep);
 	def.opengl = session->opengl;
 	return player_open(player, scene, &def);
 }

@@ -11,6 +11,7 @@ typedef struct
 	const char* device;
 	int threads, lanes; // 0: one thread per core; the widest lanes of the CPU
 	bool allow_unequal_bits;
+	SceneSleep sleep;
 	const SceneSetting* settings;
 	int setting_count;
 	int width, height;          // px: size of the window

@@ -13,7 +13,9 @@
 #include "world/objects/joints.h"
 #include "world/objects/kinematics.h"
 #include "world/objects/mass.h"
+#include "world/objects/sleep.h"
 #include "world/objects/targets.h"
+#include "world/upload/whole_sleep.h"
 #include "world/world.h"
 
 void scree_body_def_default_sized(scree_body_def* def, size_t size)
@@ -48,6 +50,7 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	TRY(check_locks(at, ".locks", def->locks));
 	TRY(check_reports(at, ".reports", def->reports));
 	TRY(check_sensor(at, ".sensor", def->sensor));
+	TRY(check_real(at, ".sleep_threshold", def->sleep_threshold, 0.0f, 1e6f));
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
@@ -80,6 +83,8 @@ static void fetch_collidable(const scree_world* world, int collidable)
 static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
+	bool asleep = def->asleep && moves && !def->disabled && !def->stays_awake && world->def.sleep;
+	world->pipeline.settles |= asleep;
 	world->dynamic_bodies += moves;
 	world->disabled_bodies += def->disabled;
 	HostBody* host = world->host_bodies + index;
@@ -118,6 +123,8 @@ static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def,
 	                            .inv_inertia = mass_inverse_inertia(host),
 	                            .values = moves ? host->values : (BodyValues){0},
 	                            .locks = def->locks,
+	                            .sleep_threshold = body_sleep_threshold(host),
+	                            .asleep = asleep,
 	                            .disabled = def->disabled});
 }
 
@@ -198,7 +205,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, bodies, count));
 	scree_status status = SCREE_OK;
-	int marked = 0, collidables = 0;
+	int marked = 0, collidables = 0, joints = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)
 	{
 		if (marked + BODY_SOON < count)
@@ -212,11 +219,15 @@ static scree_status destroy(scree_world* world, const char* function, const char
 			HostBody* host = world->host_bodies + index;
 			host->marked = true;
 			collidables += host->collidables;
+			joints += body_joint_count(world, index);
 			++marked;
 		}
 	}
 	if (status == SCREE_OK)
-		status = edits_reserve(world, function, count, collidables, 0);
+		status = edits_reserve(world, function, count, collidables, JOINT_COMMANDS * joints);
+	for (int k = 0; k < count && status == SCREE_OK; ++k)
+		if (world->host_bodies[bodies[k].index].fields > 0)
+			status = world_set_awake(world, true);
 	for (int k = 0; k < marked && status != SCREE_OK; ++k)
 		world->host_bodies[bodies[k].index].marked = false;
 	TRY(status);

@@ -115,7 +115,10 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 		TRY(check_body(world, (ArgumentPlace){call->function, name, call->alone ? ALONE : k}, "", bodies[k], &index));
 		TRY(value_at(call, values, k, &value));
 	}
-	TRY(edits_reserve(world, call->function, 0, 0, count));
+	int joints = 0;
+	for (int k = 0; k < count && call->kind == COMMAND_POSE && world->paths.alive > 0; ++k)
+		joints += body_joint_count(world, (int)bodies[k].index);
+	TRY(edits_reserve(world, call->function, 0, 0, count + JOINT_COMMANDS * joints));
 	mass_settle(world); // impulses depend on the inertia, so pending masses are computed first
 	for (int k = 0; k < count; ++k)
 	{

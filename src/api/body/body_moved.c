@@ -15,9 +15,11 @@
 // Fills *moved. The caller has set all its bytes to 0, padding included, because programs send rows over networks.
 static void moved_fill(const scree_world* world, const MovedBody* row, scree_moved_body* moved)
 {
-	moved->body = body_handle(world, row->body);
-	moved->user = world->host_bodies[row->body].user;
-	moved->pose = world_body_pose(world, row->body, &row->pose);
+	int body = row->body & (MOVED_ASLEEP - 1);
+	moved->body = body_handle(world, body);
+	moved->user = world->host_bodies[body].user;
+	moved->pose = world_body_pose(world, body, &row->pose);
+	moved->asleep = (row->body & MOVED_ASLEEP) != 0;
 	moved->velocity = (scree_velocity){{row->vx, row->vy}, row->w};
 }
 
@@ -44,7 +46,7 @@ scree_status scree_world_get_moved_bodies_sized(scree_world* world, scree_moved_
 		TRY(world_read(world, POOL_moved_row, 0, found, rows));
 	for (int k = 0; k < found; ++k)
 	{
-		if (!slots_in_use(&world->bodies, rows[k].body))
+		if (!slots_in_use(&world->bodies, rows[k].body & (MOVED_ASLEEP - 1)))
 			continue;
 		scree_moved_body row;
 		memset(&row, 0, sizeof row);

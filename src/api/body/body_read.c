@@ -136,7 +136,10 @@ scree_status scree_body_get_def_sized(scree_world* world, scree_body body, scree
 	TRY(check_read(world, function, &body, "def", def, 1));
 	TRY(get_poses(world, function, "body", &body, &now.pose, 1, true));
 	TRY(get_velocities(world, function, "body", &body, &now.velocity, 1, true));
+	int asleep = 0;
+	TRY(world_read_sleep(world, (int)body.index, 1, &asleep));
 	const HostBody* host = world->host_bodies + body.index;
+	now.asleep = asleep;
 	now.size = (uint32_t)size;
 	now.type = host->type;
 #define X(name, least, most, value) now.name = host->values.name;
@@ -155,18 +158,21 @@ scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scre
 	TRY(check_list(function, "states", states, capacity, count));
 	TRY(world_upload(world));
 	int used = world->bodies.used, listed = 0;
-	size_t bytes = (size_t)used * (sizeof(Float4) + sizeof(StoredVelocity) + sizeof(BodyState));
+	size_t bytes = (size_t)used * (sizeof(Float4) + sizeof(StoredVelocity) + sizeof(BodyState) + sizeof(int));
 	Float4* poses = world_scratch(world, bytes);
 	if (!poses)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %zu bytes from the device", function, bytes);
 	StoredVelocity* stored = (StoredVelocity*)(poses + used);
 	BodyState* rows = (BodyState*)(stored + used);
+	int* asleep = (int*)(rows + used);
 	if (capacity > 0)
 	{
 		TRY(world_read(world, POOL_pose, 0, used, poses));
 		TRY(world_read(world, POOL_body, 0, used, rows));
 		if (world->disabled_bodies > 0)
 			TRY(world_read(world, POOL_stored_velocity, 0, used, stored));
+		if (world->def.sleep)
+			TRY(world_read_sleep(world, 0, used, asleep));
 	}
 	for (int k = 0; k < used && listed < capacity; ++k)
 	{
@@ -176,6 +182,7 @@ scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scre
 		states[listed].velocity = (scree_velocity){{rows[k].vx, rows[k].vy}, rows[k].w};
 		if (world->host_bodies[k].disabled)
 			states[listed].velocity = velocity_of(stored + k);
+		states[listed].asleep = world->def.sleep && asleep[k];
 		if (bodies)
 			bodies[listed] = body_handle(world, k);
 		++listed;

@@ -12,6 +12,7 @@
 #include "world/objects/kinematics.h"
 #include "world/objects/mass.h"
 #include "world/objects/targets.h"
+#include "world/upload/whole_sleep.h"
 #include "world/world.h"
 
 static scree_status lookup(const scree_world* world, const char* function, scree_body body, const char* argument,
@@ -28,6 +29,7 @@ static scree_status lookup_to_set(scree_world* world, const char* function, scre
 {
 	TRY(world_check(world, function));
 	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, index));
+	commands += JOINT_COMMANDS * body_joint_count(world, *index);
 	return edits_reserve(world, function, 0, world->host_bodies[*index].collidables, commands);
 }
 
@@ -201,13 +203,16 @@ static scree_status set_enabled(scree_world* world, const char* function, const 
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, bodies, count));
 	TRY(check_batch(function, "enabled", enabled, count));
-	int index = 0, collidables = 0;
+	int index = 0, collidables = 0, joints = 0;
 	for (int k = 0; k < count; ++k)
 	{
 		TRY(check_body(world, (ArgumentPlace){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
 		collidables += world->host_bodies[index].collidables;
+		joints += body_joint_count(world, index);
+		if (world->host_bodies[index].fields > 0)
+			TRY(world_set_awake(world, true));
 	}
-	TRY(edits_reserve(world, function, 0, collidables, 2 * count));
+	TRY(edits_reserve(world, function, 0, collidables, 2 * count + JOINT_COMMANDS * joints));
 	TRY(insert_batch(world, bodies, enabled, count));
 	for (int k = 0; k < count; ++k)
 		enable(world, (int)bodies[k].index, enabled[k]);

@@ -9,6 +9,7 @@
 #include "world/objects/mass.h"
 #include "world/objects/reports.h"
 #include "world/objects/sensors.h"
+#include "world/objects/sleep.h"
 #include "world/pool_values.h"
 #include <string.h>
 
@@ -60,7 +61,8 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 	const scree_attribute_def *old = world->attributes + host->attribute, *def = world->attributes + now;
 	if (host->attribute == now)
 		return SCREE_OK;
-	TRY(edits_reserve(world, function, 0, 1, 1));
+	TRY(edits_reserve(world, function, 0, 1, 2));
+	body_note_wake(world, host->body);
 	// the shapes of attributes are canonical: equal values have equal bytes
 	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
 	if (!same)
@@ -126,8 +128,9 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	TRY(world_check(world, function));
 	int index = 0;
 	TRY(check_collidable(world, (ArgumentPlace){function, "collidable", ALONE}, collidable, &index));
-	TRY(edits_reserve(world, function, 0, 1, 0));
+	TRY(edits_reserve(world, function, 0, 1, 1));
 	TRY(mark_tree(world, index));
+	body_note_wake(world, world->host_collidables[index].body);
 	world->host_collidables[index].filter = filter;
 	edits_collidable(world, index);
 	return SCREE_OK;
@@ -206,9 +209,10 @@ scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable co
 	HostCollidable* host = world->host_collidables + index;
 	if (host->sensor == sensor)
 		return SCREE_OK;
-	TRY(edits_reserve(world, function, 0, 1, 1));
+	TRY(edits_reserve(world, function, 0, 1, 2));
 	TRY(mark_tree(world, index));
 	sensors_note(world, host->sensor, sensor);
+	body_note_wake(world, host->body);
 	host->sensor = sensor;
 	mass_touches(world, host->body);
 	host->born = world->pipeline.steps;

@@ -4,6 +4,7 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/materials.h"
+#include "world/upload/whole_sleep.h"
 #include <math.h>
 
 void scree_material_pair_default_sized(scree_material_pair* pair, size_t size)
@@ -55,6 +56,7 @@ scree_status scree_world_set_material_pair(scree_world* world, int material_a, i
 		row.restitution = row.sets & MATERIAL_RESTITUTION ? def->restitution + 0.0f : 0.0f;
 		row.tangent_speed = row.sets & MATERIAL_SPEED ? 0.0f - def->tangent_speed : 0.0f;
 	}
+	TRY(world_set_awake(world, true));
 	return material_set(world, function, material_a, material_b, row);
 }
 

@@ -24,6 +24,7 @@ typedef struct // pools of contacts, and the world shapes of their collidables
 	int* place;
 	ContactRows* blocks;
 	ContactRareRows* rare; // null if the world does not store details
+	ContactKept* kept;     // impulses of contacts of sleeping bodies; null if no body slept in the last step
 	WorldShape* placed;
 } Rows;
 
@@ -45,6 +46,7 @@ static void release(Rows* rows)
 	scree_release(rows->place);
 	scree_release(rows->blocks);
 	scree_release(rows->rare);
+	scree_release(rows->kept);
 	scree_release(rows->placed);
 }
 
@@ -93,6 +95,9 @@ static ContactReport contact_report_at(const scree_world* world, const Rows* row
 		row.impulse = make_float4(block->normal_impulse1[c % MAX_LANES], block->normal_impulse2[c % MAX_LANES],
 		                          block->tangent_impulse1[c % MAX_LANES], block->tangent_impulse2[c % MAX_LANES]);
 	}
+	else if (row.flags & CONTACT_ASLEEP && rows->kept)
+		row.impulse = make_float4(rows->kept[k].normal_impulse1, rows->kept[k].normal_impulse2,
+		                          rows->kept[k].tangent_impulse1, rows->kept[k].tangent_impulse2);
 	if (c >= 0 && rows->rare)
 	{
 		const ContactRareRows* rare = rows->rare + c / MAX_LANES;
@@ -134,6 +139,8 @@ static scree_status list(scree_world* world, const char* function, Word detected
 			TRY(read_pool(world, function, POOL_contact_rows, blocks, (void**)&rows->blocks));
 		if (blocks > 0 && world->def.contact_details)
 			TRY(read_pool(world, function, POOL_contact_rare_rows, blocks, (void**)&rows->rare));
+		if (world->pipeline.sleeps)
+			TRY(read_pool(world, function, POOL_contact_kept, slots, (void**)&rows->kept));
 		TRY(read_pool(world, function, POOL_world_shape, world->collidables.used, (void**)&rows->placed));
 		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
 		{

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // exclusion.c -- adds, removes and lists pairs of bodies that never touch.
 #include "platform/processor.h"
+#include "world/edits.h"
 #include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/exclusions.h"
 #include "world/objects/handles.h"
+#include "world/objects/sleep.h"
 #include <stdlib.h>
 
 static scree_status check_pair(const scree_world* world, const char* function, const char* const arguments[2], int k,
@@ -16,6 +18,13 @@ static scree_status check_pair(const scree_world* world, const char* function, c
 		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, arguments[1], k}, "",
 		              "is the same body (index %u) as %s: a body never touches itself", b.index, arguments[0]);
 	return SCREE_OK;
+}
+
+static void set(scree_world* world, int a, int b, bool excluded)
+{
+	body_note_wake(world, a);
+	body_note_wake(world, b);
+	exclusion_set(world, a, b, excluded);
 }
 
 scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, const scree_body* b,
@@ -32,8 +41,9 @@ scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, 
 	for (int k = 0; k < count; ++k)
 		TRY(check_pair(world, function, arguments, k, a[k], b[k], bodies));
 	TRY(exclusions_reserve(world, function, count));
+	TRY(edits_reserve(world, function, 0, 0, 2 * count));
 	for (int k = 0; k < count; ++k)
-		exclusion_set(world, (int)a[k].index, (int)b[k].index, excluded[k]);
+		set(world, (int)a[k].index, (int)b[k].index, excluded[k]);
 	return SCREE_OK;
 }
 
@@ -46,7 +56,8 @@ scree_status scree_body_set_excluded(scree_world* world, scree_body body, scree_
 	TRY(world_check(world, function));
 	TRY(check_pair(world, function, arguments, ALONE, body, other, bodies));
 	TRY(exclusions_reserve(world, function, 1));
-	exclusion_set(world, bodies[0], bodies[1], excluded);
+	TRY(edits_reserve(world, function, 0, 0, 2));
+	set(world, bodies[0], bodies[1], excluded);
 	return SCREE_OK;
 }
 

@@ -4,6 +4,7 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
+#include "world/own_queries.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 #include <math.h>
@@ -87,14 +88,6 @@ static scree_status push(scree_world* world, const char* function, const scree_b
 	return SCREE_OK;
 }
 
-// Swaps the query results of the user with those of blasts: a blast must not change the list that the user reads.
-static void swap_lists(scree_world* world)
-{
-	Queries queries = world->queries;
-	world->queries = world->blast_queries;
-	world->blast_queries = queries;
-}
-
 scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count)
 {
 	FLOAT_MODE_HERE;
@@ -116,9 +109,9 @@ scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, i
 	query.mask = def->mask;
 	float reach = def->radius + def->falloff;
 	scree_ray circle = {.origin = def->position, .radius = reach < SCREE_MAX_COORDINATE ? reach : SCREE_MAX_COORDINATE};
-	swap_lists(world);
+	own_queries_swap(world);
 	scree_status status = scree_world_list_rays(world, &query, &circle, 1, &list);
-	swap_lists(world);
+	own_queries_swap(world);
 	TRY(status);
 	if (list.count == 0)
 	{

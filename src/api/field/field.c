@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // field.c -- creates, changes, destroys and lists fields.
+#include "api/field/field_wake.h"
 #include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -90,9 +91,12 @@ scree_status scree_field_create(scree_world* world, const scree_field_def* def, 
 	TRY(fields_reserve(world, function));
 	int index = field_make(world);
 	field_put(world, index, &made, body);
-	if (field)
+	scree_status status = field_wake(world, index);
+	if (status != SCREE_OK)
+		field_remove(world, index);
+	else if (field)
 		*field = field_handle(world, index);
-	return SCREE_OK;
+	return status;
 }
 
 static scree_status lookup(const scree_world* world, const char* function, scree_field field, int* index)
@@ -106,6 +110,7 @@ scree_status scree_field_destroy(scree_world* world, scree_field field)
 	FLOAT_MODE_HERE;
 	int index = 0;
 	TRY(lookup(world, "scree_field_destroy", field, &index));
+	TRY(field_wake(world, index));
 	field_remove(world, index);
 	return SCREE_OK;
 }
@@ -120,8 +125,9 @@ scree_status scree_field_set_def(scree_world* world, scree_field field, const sc
 	int index = 0, body;
 	TRY(lookup(world, function, field, &index));
 	TRY(check_def(world, function, def, &made, &body));
+	TRY(field_wake(world, index));
 	field_put(world, index, &made, body);
-	return SCREE_OK;
+	return field_wake(world, index);
 }
 
 scree_status scree_field_get_def_sized(const scree_world* world, scree_field field, scree_field_def* def, size_t size)
@@ -145,9 +151,10 @@ scree_status scree_field_set_pose(scree_world* world, scree_field field, scree_p
 	int index = 0;
 	TRY(lookup(world, function, field, &index));
 	TRY(check_pose((ArgumentPlace){function, "pose", ALONE}, "", &pose));
+	TRY(field_wake(world, index));
 	world->fields.host[index].def.pose = pose;
 	world->fields.stale = true;
-	return SCREE_OK;
+	return field_wake(world, index);
 }
 
 scree_status scree_field_set_enabled(scree_world* world, scree_field field, bool enabled)
@@ -155,9 +162,10 @@ scree_status scree_field_set_enabled(scree_world* world, scree_field field, bool
 	FLOAT_MODE_HERE;
 	int index = 0;
 	TRY(lookup(world, "scree_field_set_enabled", field, &index));
+	TRY(field_wake(world, index)); // a field that is disabled wakes nothing, so only one of the two calls acts
 	world->fields.host[index].def.disabled = !enabled;
 	world->fields.stale = true;
-	return SCREE_OK;
+	return field_wake(world, index);
 }
 
 scree_status scree_world_get_fields(const scree_world* world, scree_field* fields, int capacity, int* count)

@@ -2,6 +2,7 @@
 // joint.c -- creates, destroys and lists joints.
 #include "platform/processor.h"
 #include "world/definition.h"
+#include "world/edits.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
@@ -99,6 +100,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	for (int k = 0; k < marked; ++k)
 		world->host_joints[joints[k].index - 1].marked = false;
 	TRY(status);
+	TRY(edits_reserve(world, function, 0, 0, JOINT_COMMANDS * count));
 	for (int k = 0; k < count; ++k)
 		joint_remove(world, (int)joints[k].index - 1);
 	return SCREE_OK;

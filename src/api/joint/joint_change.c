@@ -38,17 +38,23 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		scree_joint_def def = world->host_joints[index].def;
 		TRY(set(change, value, values, k, &def));
 	}
-	TRY(edits_reserve(world, at.function, 0, 0, change->moves ? 2 * change->count : 0));
+	TRY(edits_reserve(world, at.function, 0, 0, (JOINT_COMMANDS + (change->moves ? 2 : 0)) * change->count));
 	for (int k = 0; k < change->count; ++k)
 	{
 		int index = (int)change->joints[k].index - 1;
 		scree_joint_def* def = &world->host_joints[index].def;
+		const JointEdit before = joint_edit(world, index);
 		bool disabled = def->disabled;
 		set(change, value, values, k, def);
+		const JointEdit after = joint_edit(world, index);
 		world->host_joints[index].seeks |= change->moves;
 		if (change->moves)
 			joint_anchors(world, index);
-		joint_changed(world, index, def->disabled != disabled);
+		// a value that is set again, for instance in each step, wakes nothing
+		if (change->moves || before.flags != after.flags || memcmp(&before.data, &after.data, sizeof after.data) != 0)
+			joint_changed(world, index, def->disabled != disabled);
+		else
+			joint_resend(world, index, false);
 	}
 	return SCREE_OK;
 }

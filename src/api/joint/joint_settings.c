@@ -2,16 +2,18 @@
 // joint_settings.c -- sets and reads settings of one joint.
 #include "platform/processor.h"
 #include "world/definition.h"
+#include "world/edits.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
 #include <float.h>
 
-static scree_status lookup(const scree_world* world, const char* function, scree_joint joint, int* index)
+static scree_status lookup(scree_world* world, const char* function, scree_joint joint, int* index)
 {
 	TRY(world_check(world, function));
-	return check_joint(world, (ArgumentPlace){function, "joint", ALONE}, joint, index);
+	TRY(check_joint(world, (ArgumentPlace){function, "joint", ALONE}, joint, index));
+	return edits_reserve(world, function, 0, 0, JOINT_COMMANDS);
 }
 
 scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz, float damping_ratio)
@@ -28,7 +30,7 @@ scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, fl
 	return SCREE_OK;
 }
 
-static scree_status lookup_coupling(const scree_world* world, const char* function, scree_joint joint, int* index)
+static scree_status lookup_coupling(scree_world* world, const char* function, scree_joint joint, int* index)
 {
 	TRY(lookup(world, function, joint, index));
 	scree_joint_type type = world->host_joints[*index].def.type;

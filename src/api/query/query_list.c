@@ -110,14 +110,9 @@ scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, sc
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_overlap_box";
-	TRY(check_vec((ArgumentPlace){function, "box", ALONE}, ".lower", box.lower, SCREE_MAX_COORDINATE));
-	TRY(check_vec((ArgumentPlace){function, "box", ALONE}, ".upper", box.upper, SCREE_MAX_COORDINATE));
+	TRY(check_box(function, box));
 	float half_x = 0.5f * (box.upper.x - box.lower.x), half_y = 0.5f * (box.upper.y - box.lower.y);
 	scree_shape shape;
-	if (!(half_x >= SMALLEST_SIZE) || !(half_y >= SMALLEST_SIZE))
-		return fail(SCREE_ERROR_INVALID, "%s: box from (%s, %s) to (%s, %s) is not %s m wide and high", function,
-		            decimal(box.lower.x).text, decimal(box.lower.y).text, decimal(box.upper.x).text,
-		            decimal(box.upper.y).text, decimal(2.0f * SMALLEST_SIZE).text);
 	TRY(scree_shape_make_box(half_x, half_y, &shape));
 	scree_probe probe = {.pose = {{box.lower.x + half_x, box.lower.y + half_y}, {1.0f, 0.0f}}};
 	QueryItems query_items;

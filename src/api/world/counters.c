@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // counters.c -- returns counters and timings of the last step.
 #include "platform/processor.h"
+#include "step/state_readback.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/pool_read.h"
+#include "world/upload/upload.h"
 #include "world/world.h"
 
 scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* counters, size_t size)
@@ -12,6 +14,12 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	const char* function = "scree_world_get_counters";
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "counters", counters));
+	int asleep = 0, touching = 0;
+	if (world->def.sleep)
+	{
+		TRY(world_upload(world));
+		TRY(world_note(world, pipeline_count_sleep(&world->pipeline, world->bodies.used, &asleep, &touching)));
+	}
 	// the end of a step changes some counters after the host has read them
 	TRY(world_read(world, POOL_counters, 0, 1, &world->pipeline.counters));
 	const Pipeline* pipeline = &world->pipeline;
@@ -21,7 +29,7 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	                      .collidables = world->collidables.alive,
 	                      .attributes = world->attribute_slots.alive,
 	                      .contacts = c->alive - c->released,
-	                      .touching = c->touching,
+	                      .touching = c->touching + touching,
 	                      .spokes = c->layout[CONSTRAINT_CONTACT].count[COLORS],
 	                      .updated_boxes = c->updated_boxes,
 	                      .new_contacts = c->created,
@@ -31,7 +39,8 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	                      .penetration = bits_float(c->penetration),
 	                      .steps = pipeline->steps,
 	                      .device_bytes = world->backend->bytes,
-	                      .joint_gap = bits_float(c->joint_gap)};
+	                      .joint_gap = bits_float(c->joint_gap),
+	                      .asleep_bodies = asleep};
 	for (int color = 0; color < COLORS; ++color)
 	{
 		bool used = false;

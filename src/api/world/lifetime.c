@@ -14,6 +14,7 @@
 #include "world/objects/targets.h"
 #include "world/tuning_members.h"
 #include "world/upload/upload.h"
+#include "world/upload/whole_sleep.h"
 #include "world/world.h"
 #include <string.h>
 
@@ -29,7 +30,8 @@ void scree_world_def_default_sized(scree_world_def* def, size_t size)
 	                              .contact_push_speed = 3.0f,
 	                              .restitution_threshold = 1.0f,
 	                              .max_speed = 400.0f,
-	                              .hit_speed = 1.0f};
+	                              .hit_speed = 1.0f,
+	                              .sleep_threshold = 0.05f};
 	write_result(def, size, &made, sizeof made);
 }
 
@@ -118,12 +120,15 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .timings = world->def.timings,
 	                       .details = world->def.contact_details,
 	                       .reports = world->reports.reporters > 0,
+	                       .sleep = world->def.sleep,
+	                       .sleep_threshold = world->def.sleep_threshold,
 	                       .request_again = request_again,
 	                       .allowed = world->reports.allowed,
 	                       .allowed_count = world->reports.allowed_count,
 	                       .hit_speed = world->def.hit_speed,
 	                       .hit_impulse = world->def.hit_impulse};
 	request.fields = fields_acting(world, &request.field_shapes);
+	request.carried_fields = world->fields.carried;
 	if (dt > 0.0f)
 		TRY(targets_commands(world, &request.commands));
 	idle_begin(world);
@@ -144,7 +149,8 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	auto_count(world, begin);
 	TRY(world_note(world, status));
 	world->reports.fetched = false;
-	status = sensors_update(world, function);
+	// without motion, visits neither begin nor end
+	status = world->pipeline.rested ? SCREE_OK : sensors_update(world, function);
 	if (status != SCREE_OK) // the step is complete without its visits, so later steps would miss them
 		world->broken = status;
 	TRY(world_note(world, status));
@@ -169,6 +175,8 @@ scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity)
 	FLOAT_MODE_HERE;
 	TRY(world_check(world, "scree_world_set_gravity"));
 	TRY(check_vec((ArgumentPlace){"scree_world_set_gravity", "gravity", ALONE}, "", gravity, FLT_MAX));
+	if (gravity.x != world->def.gravity.x || gravity.y != world->def.gravity.y)
+		TRY(world_set_awake(world, true));
 	world->def.gravity = gravity;
 	return SCREE_OK;
 }

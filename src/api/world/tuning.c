@@ -4,6 +4,7 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/tuning_members.h"
+#include "world/upload/whole_sleep.h"
 #include "world/world.h"
 
 scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size)
@@ -29,10 +30,15 @@ scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuni
 	scree_tuning local;
 	tuning = definition_at(tuning, 0, &tuning_definition, &local);
 	TRY(check_tuning(at, tuning));
+	TRY(world_set_awake(world, true));
 	world->def.contact_hertz = tuning->contact_hertz;
 	world->def.contact_damping_ratio = tuning->contact_damping_ratio;
 	world->def.contact_push_speed = tuning->contact_push_speed;
 	world->def.restitution_threshold = tuning->restitution_threshold;
 	world->def.max_speed = tuning->max_speed;
+	world->pipeline.sleeps |=
+	    world->def.sleep; // bodies that were created asleep since the last step wake in the next one
+	world->def.sleep = tuning->sleep;
+	world->def.sleep_threshold = tuning->sleep_threshold;
 	return SCREE_OK;
 }

@@ -66,7 +66,8 @@ scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
 	TRY(check_pointer(function, "hash", hash));
 	TRY(world_upload(world));
 	double begin = auto_clock();
-	scree_status status = pipeline_hash(&world->pipeline, world->bodies.used, world->collidables.used, hash);
+	scree_status status =
+	    pipeline_hash(&world->pipeline, world->def.sleep, world->bodies.used, world->collidables.used, hash);
 	if (status == SCREE_OK)
 		*hash += hidden_hash(world);
 	auto_count(world, begin);

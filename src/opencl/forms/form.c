@@ -102,7 +102,7 @@ scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunL
 	d->timing.stage = STAGE_solve;
 	if (solve->taut)
 	{
-		runs_add(list, KERNEL_solve_begin, 0, solve_bodies(solve), solve->bound, 0);
+		runs_add(list, KERNEL_solve_begin, 0, solve_bodies(solve), solve->visited, 0);
 		solve_taut(solve, list);
 		TRY(run_now(b, step, list));
 	}

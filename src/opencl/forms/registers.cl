@@ -346,14 +346,16 @@ __kernel void solve_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int 
 	const Pools* p = &pools;
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;
-	for (int i = (int)get_global_id(0); i < bodies; i += (int)get_global_size(0))
+	int visits = step.sleep ? p->counters->active_items[GROUPS_OF_BODIES] : bodies;
+	for (int k = (int)get_global_id(0); k < visits; k += (int)get_global_size(0))
 	{
+		int i = active_item(p, GROUPS_OF_BODIES, k);
 		if (p->touching[i] == 0 || !(p->body[i].inv_mass > 0.0f))
 		{
 			float row[8];
 			body_alone(p, substeps, i, passes, row);
 			body_keep(p, i, row);
 		}
-		finalize_item(p, i);
+		finalize_body(p, i);
 	}
 }

@@ -19,7 +19,8 @@ KERNEL(contact_admit)
 	c->sort_pairs = c->stalled ? 0 : c->pairs;
 	if (c->stalled)
 		c->kept = 0;
-	c->search = c->sort_pairs > 0 ? c->contacts + 1 : 0;
+	int slots = p->step.sleep ? (c->contacts + GROUP_ITEMS - 1) >> GROUP_BITS : c->contacts;
+	c->search = c->sort_pairs > 0 ? slots + 1 : 0;
 	c->dead = 0;
 	(void)i;
 }
@@ -31,6 +32,20 @@ KERNEL(contact_list_free)
 {
 	if (i < p->counters->contacts && p->pair[i].x < 0)
 		p->free_slot[p->scan[i]] = i;
+}
+
+// Item: a group of slots. In a world that sleeps, the scan contains the numbers of free slots of groups, so that groups
+// without free slots are not visited.
+KERNEL(contact_mark_group) { p->scan[i] = i < p->counters->search - 1 ? p->contact_group_free[i] : 0; }
+
+KERNEL(contact_list_group)
+{
+	if (i >= p->counters->search - 1 || p->contact_group_free[i] == 0)
+		return;
+	int place = p->scan[i], first = i << GROUP_BITS;
+	for (int k = first; k < first + GROUP_ITEMS && k < p->counters->contacts; ++k)
+		if (p->pair[k].x < 0)
+			p->free_slot[place++] = k;
 }
 
 // Checks the capacity for contacts; adds the new contacts to the numbers of slots in use and of contacts.
@@ -107,6 +122,12 @@ KERNEL(contact_create)
 	b = pair.y;
 	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
 	item_clear(p, PER_CONTACT, slot);
+	if (p->step.sleep)
+	{
+		active_touch(p, GROUPS_OF_CONTACTS, slot);
+		if (i < p->counters->dead)
+			atomic_add_int(p->contact_group_free + (slot >> GROUP_BITS), -1);
+	}
 	p->pair[slot] = pair;
 	Int2 bodies = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
 	Word flags = CONTACT_FRESH | touch_reports(p, pair) | contact_parts(p, pair);

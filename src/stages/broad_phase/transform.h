@@ -3,6 +3,7 @@
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "dialect/vec.h"
+#include "stages/edit/active.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
@@ -14,10 +15,13 @@ KERNEL(step_begin)
 	c->alive = c->alive - c->released;
 	c->updated_boxes = 0;
 	c->refit = 0;
+	for (int level = 0; level < MAX_LEVELS; ++level)
+		c->stale_nodes[level] = 0;
 	c->jumped = 0;
 	c->order[0] = 0;
 	c->order[1] = 0;
 	c->changed = 0;
+	c->shifted = 0;
 	c->kept = 0x7fffffff;
 	c->sort_pairs = 0;
 	c->search = 0;
@@ -130,9 +134,21 @@ INLINE int transform_grains(float thickness, float reach)
 	return transform_bits(thickness, COLLIDABLE_GRAIN) | transform_bits(REACH_SHARE * reach, COLLIDABLE_REACH);
 }
 
+// Returns COLLIDABLE_SHIFTED if static or kinematic collidable i moves, or the user moved or changed it since the last
+// step. A new collidable, whose box was empty, was not moved. box: box before this step; now: current pose.
+INLINE int transform_shifts(const Pools* p, int i, Float4 box, WorldShape now)
+{
+	WorldShape then = p->world_shape[i];
+	BodyState body = p->body[now.body];
+	int moves = body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
+	int moved = now.x != then.x || now.y != then.y || now.c != then.c || now.s != then.s;
+	return moves || (moved && box.x <= box.z) ? COLLIDABLE_SHIFTED : 0;
+}
+
 // Updates world poses and boxes. Lists the collidables that left their enlarged boxes; new ones had an empty box.
 LIST_KERNEL(transform, updated_list, updated_boxes)
 {
+	i = active_item(p, GROUPS_OF_COLLIDABLES, i);
 	Float4 box = p->box[i];
 	int moved = p->collidable_flags[i];
 	if (p->collidable_kind[i] == KIND_DEAD)
@@ -140,13 +156,17 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 		// an empty box ends the contacts of the collidable
 		p->collidable_flags[i] = COLLIDABLE_NEW_BOX;
 		p->box[i] = box_empty();
-		return 0;
+		return -1;
 	}
 
 	// treats a collidable without a body as part of body 0, the motionless ground
 	WorldShape world_shape = collidable_place(p, i);
 	int moves = world_shape.body >= 0;
 	world_shape.body = moves ? world_shape.body : 0;
+	int shifts = p->step.sleep && p->collidable_kind[i] != KIND_DYNAMIC ? transform_shifts(p, i, box, world_shape) : 0;
+	shifts |= moved & COLLIDABLE_CHANGED && p->step.sleep ? COLLIDABLE_SHIFTED : 0;
+	if (shifts && (moved & (COLLIDABLE_SHIFTED | COLLIDABLE_CHANGED)) != COLLIDABLE_SHIFTED)
+		raise_int(&p->counters->shifted, 0x7fffffff);
 	p->world_shape[i] = world_shape;
 	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
 
@@ -156,6 +176,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	int how = p->step.small && p->collidable_kind[i] == KIND_DYNAMIC
 	              ? transform_grains(p->thickness[world_shape.attribute], attribute->reach)
 	              : 0;
+	how |= shifts;
 	if (moves)
 	{
 		Sweep sweep = sweep_of(p, world_shape, attribute);
@@ -180,7 +201,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 			p->old_box[i] = box;
 		if (moved != how)
 			p->collidable_flags[i] = how;
-		return 0;
+		return -1;
 	}
 	Float4 grown = box_grow(tight, margin);
 	p->old_box[i] = box;
@@ -190,16 +211,19 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	// the old box covers the motion of the last step; if the new box does not overlap it, the user moved the collidable
 	if (!box_overlap(box, grown))
 		raise_int(&p->counters->jumped, 0x7fffffff);
-	return 1;
+	return i;
 }
 
 // Restores the old boxes after a step that stopped before it found all contacts, so that the next step finds them.
 KERNEL(transform_undo)
 {
-	if (!(p->collidable_flags[i] & COLLIDABLE_NEW_BOX) || p->collidable_kind[i] == KIND_DEAD)
+	int flags = p->collidable_flags[i];
+	if (flags & COLLIDABLE_SHIFTED)
+		p->collidable_flags[i] = (flags & ~COLLIDABLE_SHIFTED) | COLLIDABLE_CHANGED;
+	if (!(flags & COLLIDABLE_NEW_BOX) || p->collidable_kind[i] == KIND_DEAD)
 		return;
 	p->box[i] = p->old_box[i];
-	p->collidable_flags[i] = 0;
+	p->collidable_flags[i] = flags & COLLIDABLE_SHIFTED ? COLLIDABLE_CHANGED : 0;
 }
 
 // Writes the current pose of a collidable to its render row. The pool world_shape has older poses: those at which the

@@ -17,6 +17,7 @@
 #include "constraints/joint_one.h"
 #include "stages/color/edge.h"
 #include "stages/color/spoke.h"
+#include "stages/edit/active.h"
 
 // Returns the priority of an edge. Odd multipliers and xor-shifts are invertible, so no two edges have the same
 // priority. The order looks random. With slots as priorities, each round would color one contact of a row of bodies.
@@ -179,6 +180,9 @@ KERNEL(color_arrange)
 	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->dirty[CONSTRAINT_##KIND] ? c->kind##s : 0;
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
+	// contacts in groups that the step skips have no color
+	if (p->step.sleep && c->arrange[CONSTRAINT_CONTACT] > 0)
+		c->arrange[CONSTRAINT_CONTACT] = c->active_items[GROUPS_OF_CONTACTS];
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		for (int k = 0; k < COLORS + 2 && c->arrange[kind] > 0; ++k)
 		{
@@ -194,21 +198,31 @@ INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 
 #define KEY_SOON 12 // prefetch distance, in edges
 
+// Return the slot of a kind of constraint that the kernel below visits as number i.
+INLINE int contact_slot_at(const Pools* p, int i) { return active_item(p, GROUPS_OF_CONTACTS, i); }
+INLINE int joint_slot_at(const Pools* p, int i)
+{
+	(void)p;
+	return i;
+}
+
 // Writes the sort key of each slot, and copies the kept values of a constraint from its rows to its slot.
 #define COLOR_KEY(kind, KIND)                                                    \
 	if (FETCHES && i + KEY_SOON < p->counters->arrange[CONSTRAINT_##KIND])       \
 	{                                                                            \
-		int soon = p->kind##_place[i + KEY_SOON];                                \
+		int soon = p->kind##_place[kind##_slot_at(p, i + KEY_SOON)];             \
 		if (soon >= 0)                                                           \
 			kind##_fetch_kept(p, soon);                                          \
 	}                                                                            \
-	int color = p->kind##_color[i], place = p->kind##_place[i];                  \
+	int slot = kind##_slot_at(p, i), used = slot < p->counters->kind##s;         \
+	int color = used ? p->kind##_color[slot] : COLOR_NONE;                       \
+	int place = used ? p->kind##_place[slot] : -1;                               \
 	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color; \
 	if (color == COLORS)                                                         \
-		name += (Word64)kind##_group(p, i);                                      \
-	p->key[i] = name << 32 | (Word64)i;                                          \
+		name += (Word64)kind##_group(p, slot);                                   \
+	p->key[i] = name << 32 | (Word64)slot;                                       \
 	if (place >= 0)                                                              \
-		kind##_keep(p, i, place);
+		kind##_keep(p, slot, place);
 
 // Item: a sorted key. Writes the range of keys of each color and hub: first, and one past the last. Sets `scan` to 1 at
 // the first spoke of each hub, so that the sums of SCAN are the numbers of hubs. Sets overflow_first for joints.

@@ -72,13 +72,11 @@ INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 	atomic_and_word64(&p->color_mask[bodies.y], others);
 }
 
-// Ends the constraint of slot i of a kind, if it has begun.
+// Ends the constraint of slot i of a kind, which has begun; its kept values stay.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                 \
-	INLINE void kind##_end(const Pools* p, int i)                         \
+	INLINE void kind##_leave(const Pools* p, int i)                       \
 	{                                                                     \
 		int color = p->kind##_color[i];                                   \
-		if (color == COLOR_NONE)                                          \
-			return;                                                       \
 		Int2 bodies = p->kind##_bodies[i];                                \
 		edge_free_color(p, bodies, color);                                \
 		atomic_add_int(&p->touching[bodies.x], -1);                       \
@@ -86,9 +84,16 @@ INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 		edge_add_belt(p, bodies, -edge_belt_of(p, CONSTRAINT_##KIND, i)); \
 		p->kind##_color[i] = COLOR_NONE;                                  \
 		p->kind##_place[i] = -1;                                          \
-		kind##_forget(p, i);                                              \
 		atomic_add_int(&p->counters->ended, 1);                           \
 		edge_mark_dirty(p, CONSTRAINT_##KIND);                            \
+	}                                                                     \
+	/* Ends the constraint of slot i, if it has begun. */                 \
+	INLINE void kind##_end(const Pools* p, int i)                         \
+	{                                                                     \
+		if (p->kind##_color[i] == COLOR_NONE)                             \
+			return;                                                       \
+		kind##_leave(p, i);                                               \
+		kind##_forget(p, i);                                              \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND

@@ -46,7 +46,7 @@ KERNEL(joint_apply)
 		p->joint_place[slot] = -1;
 	}
 	else if (!(edit.flags & JOINT_NEW))
-		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW);
+		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW | JOINT_ASLEEP);
 	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
 	{
 		joint_count_turns(p, slot, &edit.data);
@@ -77,13 +77,26 @@ INLINE void joint_rest(const Pools* p, int i)
 	path_count_store(p, i, -1, &path);
 }
 
+// Returns whether a joint acts, unless its bodies sleep.
+INLINE int joint_wanted(int flags)
+{
+	int wanted = JOINT_THERE | JOINT_ACTIVE | JOINT_ACTS;
+	return (flags & (wanted | JOINT_BROKEN)) == wanted;
+}
+
+// Begins the constraint of joint i.
+INLINE void joint_begin(const Pools* p, int i)
+{
+	p->joint_bodies[i] = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
+}
+
 // Begins or ends the constraint of joint i, or both if the joint must begin again.
 KERNEL(joint_update)
 {
-	int flags = p->joint_flags[i], wanted = JOINT_THERE | JOINT_ACTIVE | JOINT_ACTS;
+	int flags = p->joint_flags[i], wanted = joint_wanted(flags);
 	if (p->counters->stalled)
 		return;
-	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
 	if (!wanted || flags & JOINT_RESTARTS)
 		joint_rest(p, i);
 	if (p->counters->joint_moved || flags & JOINT_RESTARTS)
@@ -91,8 +104,10 @@ KERNEL(joint_update)
 	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_NEW);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return;
-	p->joint_bodies[i] = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
-	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
+	if (p->sleep[p->joint_data[i].body_a] | p->sleep[p->joint_data[i].body_b])
+		p->joint_flags[i] |= JOINT_ASLEEP;
+	else
+		joint_begin(p, i);
 }
 
 // Item: a joint. For a joint on a path, finds the point of the path that is nearest to anchor b. For a coupling,

@@ -7,6 +7,8 @@
 #define TOUCH_H
 #include "constraints/constraint_kinds.h"
 #include "stages/color/edge.h"
+#include "stages/edit/active.h"
+#include "stages/edit/asleep.h"
 #include "stages/geometry/box.h"
 
 // Returns the report bits of a contact from those of its collidables.
@@ -30,6 +32,11 @@ INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
 RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 {
 	contact_end(p, i);
+	if (flags & CONTACT_ASLEEP)
+		contact_forget(p, i);
+	if (p->step.sleep)
+		active_touch(p, GROUPS_OF_CONTACTS, i);
+	island_wake_parted(p, p->contact_bodies[i], flags);
 	touch_end(p, p->pair[i], flags);
 	p->contact_flags[i] = CONTACT_FRESH | (flags & CONTACT_FIXED) | kept;
 	p->contact_feature[i] = make_int2(-1, -1);

@@ -102,10 +102,31 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	}
 }
 
+// Wakes sleeping body i if a collidable of it is in the region of a field that moves with a body. argument: number of
+// fields.
+KERNEL(field_wake)
+{
+	if (p->sleep[i] == 0)
+		return;
+	for (int k = p->continuous_body[i].first; k > 0; k = p->next_collidable[k - 1])
+	{
+		FieldTraversal traversal = field_traverse(p->argument, p->box[k - 1]);
+		for (int field = field_next(p, &traversal); field >= 0; field = field_next(p, &traversal))
+		{
+			int carrier = p->field[field].body;
+			BodyState body = p->body[carrier < 0 ? 0 : carrier];
+			int moves = body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
+			if (moves && carrier != i && field_sees(p->field + field, p->filter + k - 1))
+				island_wake(p, i, WAKE_WORLD);
+		}
+	}
+}
+
 // Adds the forces of fields on body i to the user's forces. argument: 1 if fields act on shapes, and number of fields.
 KERNEL(field_body)
 {
-	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)
+	i = active_item(p, GROUPS_OF_BODIES, i);
+	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f || p->sleep[i])
 		return;
 	FieldForce sum = field_nothing();
 	for (int k = RUN_LOW(p->argument) ? p->continuous_body[i].first : 0; k > 0; k = p->next_collidable[k - 1])

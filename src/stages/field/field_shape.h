@@ -183,6 +183,10 @@ INLINE void field_act_shape(const Pools* p, int collidable, int body, int index,
 // Item: a collidable. Sums the forces of fields on its shape. argument: number of fields, without the padding.
 KERNEL(field_shape)
 {
+	// the run may have the bound of an early solve
+	if (p->step.sleep && i >= p->counters->active_items[GROUPS_OF_COLLIDABLES])
+		return;
+	i = active_item(p, GROUPS_OF_COLLIDABLES, i);
 	if (p->collidable_kind[i] != KIND_DYNAMIC)
 		return;
 	int body = p->collidable_body[i];

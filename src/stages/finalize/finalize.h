@@ -2,6 +2,7 @@
 // finalize.h -- adds the step's motion to the poses; freezes and counts bodies whose state is not finite.
 #ifndef FINALIZE_H
 #define FINALIZE_H
+#include "stages/edit/active.h"
 #include "stages/finalize/continuous.h"
 #include "stages/geometry/pose.h"
 #include "stages/solve/press.h"
@@ -52,7 +53,26 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 	return press.depth != 0 && continuous_presses(p, i, bits_float(press.depth), *d, da);
 }
 
-KERNEL(finalize)
+// Counts the time for which an awake body has been at rest: no point has moved faster than the threshold. d, da: motion
+// in the step. The motion, not the velocity, is compared, because soft contacts make bodies at rest breathe. dynamic: 0
+// for a kinematic body that moves.
+INLINE void finalize_awake(const Pools* p, int i, int dynamic, Vec d, float da)
+{
+	if (p->stored_velocity[i].stored != 0.0f)
+		return;
+	raise_int(&p->counters->movers, 1);
+	if (!dynamic)
+		return;
+	float own = p->sleep_threshold[i], still = maximum(p->still[i], 0.0f);
+	float most = p->step.dt * (own > 0.0f ? own : p->step.sleep_threshold);
+	float far = absolute(d.x) + absolute(d.y) + absolute(da) * p->continuous_body[i].reach;
+	still = far <= most ? still + p->step.dt : 0.0f;
+	p->still[i] = still;
+	if (still >= SLEEP_TIME && own >= 0.0f)
+		raise_int(&p->counters->drowsy, 1);
+}
+
+INLINE void finalize_body(const Pools* p, int i)
 {
 	GLOBAL BodyState* body = p->body + i;
 	Motion motion = p->motion[i];
@@ -70,6 +90,8 @@ KERNEL(finalize)
 		body->dy = 0.0f;
 		body->da = 0.0f;
 	}
+	if (p->step.sleep && (body->inv_mass > 0.0f ? p->sleep[i] == 0 : v.x != 0.0f || v.y != 0.0f || w != 0.0f))
+		finalize_awake(p, i, body->inv_mass > 0.0f, d, da);
 	int forced = (float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque)) != 0, pressed = 0;
 	if (p->counters->presses != 0 && body->inv_mass > 0.0f)
 	{
@@ -97,6 +119,8 @@ KERNEL(finalize)
 		p->motion[i].torque = 0.0f;
 	}
 }
+
+KERNEL(finalize) { finalize_body(p, active_item(p, GROUPS_OF_BODIES, i)); }
 
 // Item: a part of a body that moves far, or a pressed body. Moves the body until something obstructs it. A pressed body
 // then slides along the obstacle and completes its rotation, or only slides. A body of one part slides too if the world

@@ -7,6 +7,7 @@
 #define MANIFOLD_REUSE_H
 #include "constraints/constraint_kinds.h"
 #include "constraints/sweep_closing.h"
+#include "stages/edit/active.h"
 
 // cosine of 3.6 degrees: a manifold with points is kept until a collidable has rotated by more than this angle; each
 // manifold is kept only until a point has moved by narrow_phase_distance
@@ -115,6 +116,7 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 WIDE_KERNEL(narrow_phase_keep)
 {
 	int live = p->counters->live;
+	i = active_item(p, GROUPS_OF_CONTACTS, i);
 	narrow_phase_keep_fetch(p, i, live);
 	Int flags = load_int(p->contact_flags, i), ia, ib;
 	load_int2(p->pair, i, &ia, &ib);
@@ -152,7 +154,7 @@ WIDE_KERNEL(narrow_phase_keep)
 	                             (apart & lane_bits((flags & (int)CONTACT_FRESH) != 0))));
 	if (look == 0)
 		return;
-	raise_int(&p->counters->look, live);
+	raise_int(&p->counters->look, p->step.sleep ? p->counters->active_items[GROUPS_OF_CONTACTS] : live);
 	for (int k = 0; look >> k != 0; ++k)
 		if (look >> k & 1)
 			p->contact_flags[i + k] |= anew >> k & 1 ? CONTACT_LOOK | CONTACT_ANEW : CONTACT_LOOK;

@@ -65,8 +65,12 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	if (!box_parted(p, pair))
 		return 0;
 	contact_end(p, i);
+	if (p->step.sleep)
+		island_wake_parted(p, p->contact_bodies[i], p->contact_flags[i]);
 	contact_count(p, p->contact_bodies[i], p->contact_flags[i], -1);
 	p->pair[i] = make_int2(-1, -1);
+	if (p->step.sleep)
+		atomic_add_int(p->contact_group_free + (i >> GROUP_BITS), 1);
 	p->contact_flags[i] = 0;
 	atomic_add_int(&p->counters->released, 1);
 	return 1;
@@ -160,6 +164,15 @@ INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifo
 		tangent[1] = contact_row(p, tangent_impulse2, constraint);
 	}
 
+	int sleeps = flags & CONTACT_ASLEEP ? 1 : 0;
+	if (sleeps)
+	{
+		normal[0] = p->contact_kept[i].normal_impulse1;
+		normal[1] = p->contact_kept[i].normal_impulse2;
+		tangent[0] = p->contact_kept[i].tangent_impulse1;
+		tangent[1] = p->contact_kept[i].tangent_impulse2;
+	}
+
 	float along[2] = {0.0f, 0.0f}, across[2] = {0.0f, 0.0f};
 	int feature[2] = {-1, -1}, taken = 0;
 	UNROLL
@@ -183,6 +196,13 @@ INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifo
 		contact_row(p, tangent_impulse1, constraint) = across[0];
 		contact_row(p, tangent_impulse2, constraint) = across[1];
 	}
+	if (sleeps)
+	{
+		p->contact_kept[i].normal_impulse1 = along[0];
+		p->contact_kept[i].normal_impulse2 = along[1];
+		p->contact_kept[i].tangent_impulse1 = across[0];
+		p->contact_kept[i].tangent_impulse2 = across[1];
+	}
 	return make_int2(feature[0], feature[1]);
 }
 
@@ -200,6 +220,33 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Predicti
 	    at->axes.x, at->axes.y, a->reach,
 	    at->ahead ? -1.0f : narrow_phase_distance(a, b, flags, m->gap, sweep_room(&p->step, moved), within));
 	p->contact_manifold[i] = manifold;
+}
+
+// Completes a new manifold of a contact of which a body sleeps, or slept before this step. A body wakes if it begins to
+// touch an awake body or a collidable that moves, and if a touch of it ends. contact_sleep begins the constraint when
+// both bodies are awake. flags: flags of the contact before this step. moved: COLLIDABLE_* bits of the pair.
+RARE void narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
+{
+	Int2 bodies = p->contact_bodies[i];
+	int a = body_island(p, bodies.x), b = body_island(p, bodies.y);
+	int fixed = !(p->body[bodies.x].inv_mass > 0.0f) || !(p->body[bodies.y].inv_mass > 0.0f);
+	if (!(p->contact_flags[i] & CONTACT_TOUCHING))
+	{
+		p->contact_flags[i] &= ~CONTACT_ASLEEP;
+		if (flags & CONTACT_ASLEEP)
+			contact_forget(p, i);
+		island_wake_parted(p, bodies, flags);
+		return;
+	}
+	if (flags & (CONTACT_DETECTED | CONTACT_PENDING))
+		return;
+	if (fixed ? moved & COLLIDABLE_SHIFTED : a < 0 || b < 0)
+		island_wake_both(p, bodies);
+	else if (!fixed && a != b)
+		raise_int(&p->counters->joined_islands, 1);
+	if (!(flags & CONTACT_TOUCHING))
+		p->contact_press[i] = 0;
+	p->contact_flags[i] |= CONTACT_ASLEEP;
 }
 
 RARE void narrow_phase_look(const Pools* p, int i, Word flags)
@@ -234,12 +281,15 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	p->contact_flags[i] = now;
 	p->contact_feature[i] = features;
 	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute, moved, within);
-	if (!touching)
+	Int2 bodies = p->contact_bodies[i];
+	if (p->step.sleep && (flags & CONTACT_ASLEEP || p->sleep[bodies.x] | p->sleep[bodies.y]))
+		narrow_phase_asleep(p, i, flags, moved);
+	else if (!touching)
 		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)))
 	{
 		p->contact_press[i] = 0; // clears the presses that the contact handed on when it last touched
-		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), p->contact_bodies[i]);
+		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), bodies);
 	}
 }
 
@@ -249,6 +299,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 
 KERNEL(narrow_phase)
 {
+	i = active_item(p, GROUPS_OF_CONTACTS, i);
 	int soon = i + NARROW_PHASE_SOON;
 	if (FETCHES && p->step.collidables >= FETCH_COLLIDABLES && soon < p->counters->live &&
 	    soon / CHUNK_ITEMS == i / CHUNK_ITEMS && p->contact_flags[soon] & CONTACT_LOOK)

@@ -27,6 +27,12 @@ INLINE void contact_report_write(const Pools* p, int i, int row)
 	if (c >= 0)
 		listed.impulse = make_float4(contact_row(p, normal_impulse1, c), contact_row(p, normal_impulse2, c),
 		                             contact_row(p, tangent_impulse1, c), contact_row(p, tangent_impulse2, c));
+	else if (listed.flags & CONTACT_ASLEEP)
+	{
+		const GLOBAL ContactKept* kept = p->contact_kept + i;
+		listed.impulse =
+		    make_float4(kept->normal_impulse1, kept->normal_impulse2, kept->tangent_impulse1, kept->tangent_impulse2);
+	}
 	listed.detail = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	if (c >= 0 && p->step.details)
 		listed.detail = make_float4(contact_rare(p, total_impulse1, c), contact_rare(p, total_impulse2, c),

@@ -2,7 +2,7 @@
 // joint_report.h -- computes coordinates and forces of joints at the current poses, for the user. No step reads them.
 #ifndef JOINT_REPORT_H
 #define JOINT_REPORT_H
-#include "constraints/constraint_kinds.h"
+#include "constraints/joint_asleep.h"
 #include "constraints/joint_one.h"
 
 // Returns the place of a joint; -1 before its first step, because its slot may contain the place of a destroyed joint.
@@ -12,21 +12,25 @@ INLINE int joint_report_place(const Pools* p, int i)
 }
 
 // Computes force (N) and torque (N m) of a joint from its impulses in the last substep. A joint without a constraint
-// keeps force and torque 0. axis: direction of the first coordinate. off: deviation of the first two coordinates from
-// the targets of their locks. bend, 1/m: curvature of a path.
+// keeps force and torque 0, unless its bodies sleep. axis: direction of the first coordinate. off: deviation of the
+// first two coordinates from the targets of their locks. bend, 1/m: curvature of a path.
 INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend,
                                GLOBAL JointState* state)
 {
-	int place = joint_report_place(p, i);
-	if (place < 0)
+	int place = joint_report_place(p, i), asleep = p->joint_flags[i] & JOINT_ASLEEP;
+	if (place < 0 && !asleep)
 		return;
 	Joint u;
 	float sum[JOINT_COORDINATES], rate = p->step.inv_h;
-	joint_load(p, place, PASS_RELAX, &u);
+	if (!asleep)
+		joint_load(p, place, PASS_RELAX, &u);
 
 	// modes are those of the user's data: forms of the solve that keep joints in registers do not write the row `modes`
 	u.modes = (float)modes;
-	joint_sums(p, place, &u, sum);
+	if (asleep)
+		joint_sums_asleep(p, i, modes, sum);
+	else
+		joint_sums(p, place, &u, sum);
 	Body a = body_gather(p, p->joint_data[i].body_a);
 	if (joint_upright(&u) || joint_torn(p, &u, &a, off))
 		axis = vec(1.0f, 0.0f);

@@ -7,6 +7,7 @@
 #define INTEGRATE_H
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
+#include "stages/edit/active.h"
 
 // Adds the acceleration to velocities and, as warm start, the change by constraints in the previous substep. b, m,
 // base: rows of the pools body, motion, base. In the first substep, b contains the warm start and base does not.
@@ -56,6 +57,7 @@ INLINE void body_move(const Step* step, Real* b, const Real* m)
 WIDE_KERNEL(integrate_velocity)
 {
 	Real b[8], m[8], base[4];
+	i = active_item(p, GROUPS_OF_BODIES, i);
 	load_rows8((GLOBAL float*)p->body, i, b);
 	load_rows8((GLOBAL float*)p->motion, i, m);
 	load_rows4((GLOBAL float*)p->base, i, base);
@@ -67,6 +69,7 @@ WIDE_KERNEL(integrate_velocity)
 WIDE_KERNEL(integrate_position)
 {
 	Real b[8], m[8];
+	i = active_item(p, GROUPS_OF_BODIES, i);
 	load_rows8((GLOBAL float*)p->body, i, b);
 	load_rows8((GLOBAL float*)p->motion, i, m);
 	body_move(&p->step, b, m);

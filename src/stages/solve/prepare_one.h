@@ -3,24 +3,27 @@
 #ifndef PREPARE_ONE_H
 #define PREPARE_ONE_H
 #include "constraints/constraint_kinds.h"
+#include "stages/edit/active.h"
 
 // Clears the counters of finalize, after the host has read those of the last step.
 INLINE void counters_clear(const Pools* p)
 {
 	p->counters->nonfinite = 0;
 	p->counters->held = 0;
+	p->counters->movers = 0;
 	p->counters->first_nonfinite = 0x7fffffff;
 }
 
 KERNEL(solve_begin)
 {
+	if (i == 0)
+		counters_clear(p);
+	i = active_item(p, GROUPS_OF_BODIES, i);
 	GLOBAL BodyState* body = p->body + i;
 	p->base[i] = make_float4(body->vx, body->vy, body->w, 0.0f);
 	body->dx = 0.0f;
 	body->dy = 0.0f;
 	body->da = 0.0f;
-	if (i == 0)
-		counters_clear(p);
 }
 
 // Raises the inertia of a body for the step to that which the pull of joints requires (joint_taut), in member `da`.

@@ -39,8 +39,31 @@ KERNEL(tree_leaf)
 		int k = p->leaf[tree->leaf_begin + i], kind = p->collidable_kind[k];
 		if (kind != KIND_DEAD && tree_of_kind(kind) == p->argument)
 			box = p->box[k];
+		if (p->step.sleep && p->argument == 0)
+			p->leaf_place[k] = i;
 	}
 	box_pack(p->node_box, tree->begin[0] + i, box);
+}
+
+// Lists the node of a level that contains node i of the level below, in tree 0, unless it is listed already.
+INLINE void tree_mark_above(const Pools* p, const GLOBAL Tree* tree, int level, int i)
+{
+	int first = tree->begin[level - 1] / ARITY, node = i / ARITY;
+	GLOBAL int* stale = p->node_stale + first + node;
+	if (level > tree->top || read_shared(stale) || atomic_max_int(stale, 1))
+		return;
+	p->stale_nodes[first + atomic_add_int(&p->counters->stale_nodes[level], 1)] = node;
+}
+
+// Item: an updated collidable, in a world that sleeps. Updates the box of its leaf in tree 0, and lists the node above.
+KERNEL(leaf_update)
+{
+	const GLOBAL Tree* tree = p->tree;
+	int k = p->updated_list[i], place = p->leaf_place[k];
+	if (tree_of_kind(p->collidable_kind[k]) != 0)
+		return;
+	box_pack(p->node_box, tree->begin[0] + place, p->box[k]);
+	tree_mark_above(p, tree, 1, place);
 }
 
 INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, int i)
@@ -63,11 +86,19 @@ INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int 
 	return movers;
 }
 
-// Item: a node of a level. Computes its box and its mask (tree_movers). argument: the tree and the level.
+// Item: a node of a level, or with TREE_STALE_ONLY a listed node, whose parent is then listed. Computes its box and its
+// mask (tree_movers). argument: the tree, TREE_STALE_ONLY, the level.
 KERNEL(tree_node)
 {
-	const GLOBAL Tree* tree = p->tree + RUN_LOW(p->argument);
-	int level = RUN_HIGH(p->argument);
+	int t = RUN_LOW(p->argument) & 1, level = RUN_HIGH(p->argument);
+	const GLOBAL Tree* tree = p->tree + t;
+	if (RUN_LOW(p->argument) & TREE_STALE_ONLY)
+	{
+		int first = tree->begin[level - 1] / ARITY;
+		i = p->stale_nodes[first + i];
+		p->node_stale[first + i] = 0;
+		tree_mark_above(p, tree, level + 1, i);
+	}
 	tree_join(p->node_box, tree, level, i);
 	if (p->step.kinematic > 0 && i < tree->count[level])
 		p->node_movers[tree->begin[level - 1] / ARITY + i] = tree_movers(p, tree, level, i);

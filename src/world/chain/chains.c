@@ -149,7 +149,7 @@ static void set_spots(scree_world* world, const int* spots)
 			continue;
 		bool restarts = (host->spot < 0) != (spots[k] < 0);
 		host->spot = spots[k];
-		joint_changed(world, k, restarts);
+		joint_resend(world, k, restarts);
 	}
 }
 

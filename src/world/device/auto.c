@@ -250,6 +250,11 @@ scree_status auto_choose(scree_world* world)
 	AutoDevice* a = &world->auto_device;
 	if (!a->on || a->alone)
 		return SCREE_OK;
+	if (world->pipeline.rested) // the last step was skipped, so its time is no measure of a device
+	{
+		a->current = 0.0;
+		return SCREE_OK;
+	}
 	if (world->pipeline.steps > 0)
 		meter_note(meter_of(world, world->backend), a->current);
 	a->spent += a->current;

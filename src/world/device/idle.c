@@ -103,6 +103,8 @@ void idle_begin(scree_world* world)
 		IdleBlocks* list = &world->idle[kind];
 		int used = kind == ACTIVE_BODIES ? world->bodies.used : world->collidables.used;
 		world->backend->active[kind] = (ActiveBlocks){0};
+		if (world->def.sleep || world->pipeline.sleeps) // the device lists the groups that a step visits
+			continue;
 		if (!reserve(list, (used + ACTIVE_ITEMS - 1) / ACTIVE_ITEMS))
 			continue; // no memory for the list: no block is skipped
 		if (list->stale)

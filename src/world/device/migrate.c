@@ -49,6 +49,10 @@ static int lasting_items(const scree_world* world, Per per)
 		return world->pipeline.chain_ranges;
 	case PER_BRANCH:
 		return world->pipeline.branch_nodes;
+	case PER_BODY_GROUP:
+	case PER_COLLIDABLE_GROUP:
+	case PER_CONTACT_GROUP:
+		return b->capacity[per];
 	case PER_ONE:
 		return 1;
 	default:

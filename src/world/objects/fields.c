@@ -149,7 +149,7 @@ scree_status upload_fields(scree_world* world)
 	if (!f->stale)
 		return SCREE_OK;
 	int count = 0;
-	bool shapes = false;
+	bool shapes = false, carried = false;
 	for (int k = 0; k < f->slots.used; ++k)
 		count += acts(world, k);
 	if (count > 0)
@@ -168,12 +168,14 @@ scree_status upload_fields(scree_world* world)
 		{
 			const HostField* host = f->host + acting[row].slot;
 			shapes |= host->def.type >= SCREE_FIELD_WIND;
+			carried |= host->body >= 0;
 			rows[row] = field_row(host);
 		}
 		TRY(b->f->write(b, POOL_field, 0, count, rows));
 	}
 	f->acting = count;
 	f->shapes = shapes;
+	f->carried = carried;
 	f->stale = false;
 	return SCREE_OK;
 }

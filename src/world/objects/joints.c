@@ -18,13 +18,27 @@ scree_status joints_reserve(scree_world* world, const char* function, int more)
 		            world->joints.alive, MAX_ITEMS);
 	if (!slots_reserve(&world->joints, more))
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more joints", function, more);
-	TRY(edits_reserve(world, function, 0, 0, 2 * more));
+	TRY(edits_reserve(world, function, 0, 0, (JOINT_COMMANDS + 2) * more));
 	// the list of pending joints contains a joint at most once
 	TRY(GROW(function, world->edits.joints, world->edits.joint_capacity, world->joints.capacity));
 	return GROW(function, world->host_joints, world->host_joint_capacity, world->joints.capacity);
 }
 
+// Records a command that wakes a body whose joints changed.
+static void wake_body(scree_world* world, int body)
+{
+	if (world->def.sleep && world->host_bodies[body].type == SCREE_BODY_DYNAMIC)
+		edits_command(world, COMMAND_JOINTS, body, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
+}
+
 void joint_changed(scree_world* world, int index, bool restarts)
+{
+	wake_body(world, world->host_joints[index].bodies[0]);
+	wake_body(world, world->host_joints[index].bodies[1]);
+	joint_resend(world, index, restarts);
+}
+
+void joint_resend(scree_world* world, int index, bool restarts)
 {
 	HostJoint* host = world->host_joints + index;
 	host->restarts |= restarts;
@@ -99,6 +113,14 @@ void joint_remove(scree_world* world, int index)
 	host->spot = -1;
 	slots_free(&world->joints, index);
 	joint_changed(world, index, true);
+}
+
+int body_joint_count(const scree_world* world, int body)
+{
+	int count = 0;
+	for (int end = world->host_bodies[body].first_joint; end > 0; end = joint_next(world, end))
+		++count;
+	return count;
 }
 
 void body_joints_changed(scree_world* world, int body)
@@ -192,7 +214,7 @@ static scree_joint_side side_of(const scree_joint_def* def, int k)
 	return joint_couples(def->type) ? def->sides[k] : (scree_joint_side){.base.rotation.c = 1.0f};
 }
 
-static JointEdit joint_edit(const scree_world* world, int index)
+JointEdit joint_edit(const scree_world* world, int index)
 {
 	const HostJoint* host = world->host_joints + index;
 	const scree_joint_def* def = &host->def;

@@ -14,8 +14,20 @@ void joint_anchors(scree_world* world, int index);
 int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int body_b);
 void joint_remove(scree_world* world, int index);
 
-// Marks a joint for the upload. restarts: its constraint begins again, without impulses, and chains are found again.
+#define JOINT_COMMANDS 2 // maximum number of commands that a change of a joint records
+
+// Returns the number of joints of a body.
+int body_joint_count(const scree_world* world, int body);
+
+// Returns a joint in the form for the device.
+JointEdit joint_edit(const scree_world* world, int index);
+
+// Marks a joint that the user changed for the upload, and wakes its bodies. The caller has reserved JOINT_COMMANDS
+// commands. restarts: its constraint begins again, without impulses, and chains are found again.
 void joint_changed(scree_world* world, int index, bool restarts);
+
+// The same for a change that wakes no body.
+void joint_resend(scree_world* world, int index, bool restarts);
 
 // Restarts the joints of a body whose type has changed, or which was enabled or disabled.
 void body_joints_changed(scree_world* world, int body);

@@ -67,6 +67,7 @@ scree_status targets_commands(scree_world* world, StepCommands* commands)
 			continue;
 		begin[sent] = (Command){.kind = COMMAND_TARGET, .index = target->body};
 		begin[sent].whole[0] = (int)world->host_bodies[target->body].locks;
+		begin[sent].whole[1] = command_bits(world, target->body);
 		begin[sent].value = pose_row(pose);
 		end[sent] = begin[sent];
 		end[sent].kind = COMMAND_ARRIVE;

@@ -214,3 +214,16 @@ scree_status shape_finish(ArgumentPlace at, scree_shape* shape)
 	shape_fill(shape);
 	return SCREE_OK;
 }
+
+scree_status check_box(const char* function, scree_box box)
+{
+	ArgumentPlace at = {function, "box", ALONE};
+	TRY(check_vec(at, ".lower", box.lower, SCREE_MAX_COORDINATE));
+	TRY(check_vec(at, ".upper", box.upper, SCREE_MAX_COORDINATE));
+	float half_x = 0.5f * (box.upper.x - box.lower.x), half_y = 0.5f * (box.upper.y - box.lower.y);
+	if (half_x >= SMALLEST_SIZE && half_y >= SMALLEST_SIZE)
+		return SCREE_OK;
+	return fail(SCREE_ERROR_INVALID, "%s: box from (%s, %s) to (%s, %s) is not %s m wide and high", function,
+	            decimal(box.lower.x).text, decimal(box.lower.y).text, decimal(box.upper.x).text,
+	            decimal(box.upper.y).text, decimal(2.0f * SMALLEST_SIZE).text);
+}

@@ -32,6 +32,9 @@ scree_status check_corners(const char* function, const char* argument, const scr
 // Fails if coordinates are not finite, or beyond SCREE_MAX_COORDINATE.
 scree_status check_points(const char* function, const char* argument, const scree_vec* v, int count);
 
+// Fails unless the corners of a box are within SCREE_MAX_COORDINATE, and it is at least 2 mm wide and high.
+scree_status check_box(const char* function, scree_box box);
+
 static inline double vec_cross_from(scree_vec origin, scree_vec a, scree_vec b)
 {
 	return ((double)a.x - origin.x) * ((double)b.y - origin.y) - ((double)a.y - origin.y) * ((double)b.x - origin.x);

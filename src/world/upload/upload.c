@@ -6,6 +6,7 @@
 #include "world/chain/chains.h"
 #include "world/device/auto.h"
 #include "world/device/idle.h"
+#include "world/device/touched.h"
 #include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/exclusions.h"
@@ -141,6 +142,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
 	char* memory;
+	TRY(touched_collect(world));
 	TRY(reserve(world, &demand, &memory)); // reserves all memory first, so that a failure leaves the device unchanged
 	world->pipeline.jumps |= places(&world->edits);
 	TRY(upload_attributes(world, memory));
@@ -148,6 +150,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 	TRY(upload_commands(world, demand.commands, memory));
 	TRY(upload_paths(world));
 	TRY(upload_joints(world, memory));
+	TRY(touched_upload(world));
 	clear(world);
 	return SCREE_OK;
 }
@@ -159,6 +162,7 @@ static scree_status upload(scree_world* world, bool steps)
 	if (no_edits(&world->edits) && !chains && !world->materials.waiting && !world->exclusions.waiting &&
 	    !world->fields.stale)
 		return SCREE_OK;
+	world->pipeline.edited = true;
 	TRY(reports_fetch(world)); // reads the events first, because an upload may change the items to which they refer
 	world->pipeline.trees[0].seen = false;
 	double begin = auto_clock();

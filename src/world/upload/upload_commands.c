@@ -23,6 +23,9 @@ static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 	                  .whole = {0, row->disabled},
 	                  .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
 	to[4] = continuous_command(world, row->index);
+	to[5] = (Command){.kind = COMMAND_SLEEP,
+	                  .whole = {row->asleep ? SLEEP_FROM_START : SLEEP_NOT_YET},
+	                  .value = make_float4(row->sleep_threshold, 0.0f, 0.0f, 0.0f)};
 	for (int k = 0; k < BODY_COMMANDS; ++k)
 		to[k].index = row->index;
 	return BODY_COMMANDS;

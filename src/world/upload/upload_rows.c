@@ -21,7 +21,7 @@ Float4 body_pose(const BodyRow* row)
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	// a disabled body has velocity 0; the velocity that it gets when enabled is in the pool stored_velocity
-	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
+	scree_velocity v = row->velocity, now = row->disabled || row->asleep ? (scree_velocity){0} : v;
 	switch (pool)
 	{
 	case POOL_body:
@@ -38,7 +38,8 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 		*(Motion*)item = (Motion){
 #define X(name, least, most, value) .name = row->values.name,
 #include "pools/body_values.def"
-		    .free_x = row->locks & SCREE_LOCK_X ? 0.0f : 1.0f, .free_y = row->locks & SCREE_LOCK_Y ? 0.0f : 1.0f};
+		    .free_x = row->asleep || row->locks & SCREE_LOCK_X ? 0.0f : 1.0f,
+		    .free_y = row->asleep || row->locks & SCREE_LOCK_Y ? 0.0f : 1.0f};
 		if (row->disabled)
 			((Motion*)item)->gravity_scale = 0.0f;
 		break;
@@ -47,6 +48,17 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 		break;
 	case POOL_continuous_body:
 		*(ContinuousBody*)item = continuous_row(world, row->index);
+		break;
+	case POOL_sleep:
+		if (row->asleep)
+			*(int*)item = (1 + row->index) | (row->locks & SCREE_LOCK_X ? SLEEP_LOCK_X : 0) |
+			              (row->locks & SCREE_LOCK_Y ? SLEEP_LOCK_Y : 0);
+		break;
+	case POOL_still:
+		*(float*)item = row->asleep ? STILL_MADE : 0.0f;
+		break;
+	case POOL_sleep_threshold:
+		*(float*)item = row->sleep_threshold;
 		break;
 	case POOL_stored_velocity:
 		if (row->disabled)
@@ -106,6 +118,11 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 {
 	Backend* b = world->backend;
 	const BodyRow* rows = world->edits.bodies;
+	int first = rows[begin].index;
+	Step step = {0};
+	Run gone = {.kernel_id = KERNEL_body_gone, .begin = first, .end = first + end - begin, .count = NO_COUNT};
+	if (world->pipeline.sleeps)
+		TRY(b->f->run(b, &step, &gone, 1));
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		size_t bytes = pool_info[pool].bytes;
@@ -115,7 +132,7 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 		memset(stage, 0, (size_t)(end - begin) * bytes);
 		for (int k = begin; k < end; ++k)
 			body_item(world, (PoolId)pool, rows + k, stage + (size_t)(k - begin) * bytes);
-		TRY(b->f->write(b, (PoolId)pool, rows[begin].index, end - begin, stage));
+		TRY(b->f->write(b, (PoolId)pool, first, end - begin, stage));
 	}
 	return SCREE_OK;
 }

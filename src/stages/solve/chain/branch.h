@@ -373,7 +373,7 @@ GROUP_KERNEL(branch)
 {
 	(void)bench;
 	Branch branch = branch_number(p, i);
-	if (p->argument == PASS_BOUNCE)
+	if (p->argument == PASS_BOUNCE || chain_sleeps(p, i))
 		return;
 	branch_own(p, &branch, p->argument);
 	if (p->argument != PASS_WARM_START)
@@ -386,6 +386,16 @@ GROUP_KERNEL(branch_begin)
 {
 	(void)bench;
 	Branch branch = branch_number(p, i);
+	if (p->step.sleep)
+	{
+		if (part_lane() == 0)
+			p->chain_live[i] = 0;
+		group_meet();
+		chain_look(p, i, branch.chain.at.first, branch.chain.at.count);
+		group_meet();
+		if (chain_sleeps(p, i))
+			return;
+	}
 	BRANCH_EACH(k, &branch)
 	chain_tension(p, &branch.chain, branch.chain.at.first + k);
 	group_meet();
@@ -427,6 +437,8 @@ GROUP_KERNEL(branch_end)
 {
 	(void)bench;
 	Branch branch = branch_number(p, i);
+	if (chain_sleeps(p, i))
+		return;
 	BRANCH_EACH(k, &branch)
 	{
 		int body = BRANCH_NODE(p, &branch, k).body;

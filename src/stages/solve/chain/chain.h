@@ -190,12 +190,27 @@ INLINE_MEET void chain_pass(const Pools* p, Chain chain, int pass)
 		chain_locks(p, &chain, pass);
 }
 
+// Sets chain_live of item i if some joint of it acts, in a world that sleeps. first, spots: range of spots of joints.
+// Spots of interleaved chains may lie between; if only joints of these act, the item is solved, and nothing changes.
+// Called by a whole group, after chain_live was cleared.
+INLINE void chain_look(const Pools* p, int i, int first, int spots)
+{
+	int begin = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS];
+	int most = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1];
+	for (int k = begin + first + part_lane(); k < begin + first + spots && k < most; k += part_width())
+		if (p->joint_place_slot[k] >= 0)
+			write_shared_word((GLOBAL Word*)p->chain_live + i, 1u);
+}
+
+// Returns whether item i of a pass has nothing to solve, because the bodies of all its joints sleep.
+INLINE int chain_sleeps(const Pools* p, int i) { return p->step.sleep && read_shared(p->chain_live + i) == 0; }
+
 // Item: one range of chains, or several ranges in the same blocks of the pool chain_joints. argument: the pass.
 GROUP_KERNEL(chain)
 {
 	int first = p->chain[i].item;
 	(void)bench;
-	if (p->argument == PASS_BOUNCE)
+	if (p->argument == PASS_BOUNCE || chain_sleeps(p, i))
 		return;
 	for (int k = 0; k < p->chain[first].parts; ++k)
 	{
@@ -222,6 +237,21 @@ GROUP_KERNEL(chain_begin)
 {
 	(void)bench;
 	int first = p->chain[i].item;
+	if (p->step.sleep)
+	{
+		if (part_lane() == 0)
+			p->chain_live[i] = 0;
+		group_meet();
+		for (int k = 0; k < p->chain[first].parts; ++k)
+		{
+			ChainRange range = p->chain[first + k];
+			int last = CHAIN_SPOT(&range, (range.length << range.bits) - 1);
+			chain_look(p, i, range.first, last + range.stride - range.first);
+		}
+		group_meet();
+		if (chain_sleeps(p, i))
+			return;
+	}
 	for (int k = 0; k < p->chain[first].parts; ++k)
 	{
 		Chain chain = chain_number(p, first + k);
@@ -242,6 +272,8 @@ GROUP_KERNEL(chain_end)
 {
 	(void)bench;
 	int first = p->chain[i].item;
+	if (chain_sleeps(p, i))
+		return;
 	for (int k = 0; k < p->chain[first].parts; ++k)
 		chain_restore(p, chain_number(p, first + k));
 }

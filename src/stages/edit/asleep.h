@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// asleep.h -- puts a body to sleep, ends its sleep, and marks islands that wake in this step or the next one.
+//
+// A sleeping body has velocity 0, and both of its axes are locked, so that no stage moves it. The pool sleep contains
+// the locks that it had before. No constraint refers to it. Its mass is unchanged, so other stages treat it as a body
+// that can move.
+#ifndef ASLEEP_H
+#define ASLEEP_H
+#include "dialect/dialect.h"
+#include "pools/pools.h"
+
+// Returns the number of the island of a sleeping body; -1 for an awake body.
+INLINE int body_island(const Pools* p, int i) { return (p->sleep[i] & SLEEP_ISLAND) - 1; }
+
+// Marks the island of a sleeping body. strength: WAKE_*.
+INLINE void island_wake(const Pools* p, int i, int strength)
+{
+	if (p->still[i] == STILL_MADE)
+		p->still[i] = 0.0f;
+	raise_int(p->wake + body_island(p, i), strength);
+	raise_int(&p->counters->woken, 0x7fffffff);
+}
+
+// Returns the mark of the island of a body, WAKE_*, or 0.
+INLINE int body_mark(const Pools* p, int i)
+{
+	int island = body_island(p, i);
+	return island < 0 || p->still[i] == STILL_MADE ? 0 : read_shared(p->wake + island);
+}
+
+// Returns whether a body sleeps, and is not marked to wake.
+INLINE int body_sleeps_on(const Pools* p, int i) { return p->sleep[i] != 0 && body_mark(p, i) == 0; }
+
+// Marks the islands of those of two bodies that sleep.
+INLINE void island_wake_both(const Pools* p, Int2 bodies)
+{
+	if (p->sleep[bodies.x])
+		island_wake(p, bodies.x, WAKE_WORLD);
+	if (p->sleep[bodies.y])
+		island_wake(p, bodies.y, WAKE_WORLD);
+}
+
+// The same when a contact ends. flags: its flags before; an overlap, or a pending contact, wakes nothing. A body that
+// was created asleep since the last step did not touch anything: the touch was that of an earlier body of its slot.
+INLINE void island_wake_parted(const Pools* p, Int2 bodies, Word flags)
+{
+	if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
+		return;
+	if (p->sleep[bodies.x] && p->still[bodies.x] != STILL_MADE)
+		island_wake(p, bodies.x, WAKE_WORLD);
+	if (p->sleep[bodies.y] && p->still[bodies.y] != STILL_MADE)
+		island_wake(p, bodies.y, WAKE_WORLD);
+}
+
+// Wakes the island of a body that the user destroys.
+INLINE void body_gone_wake(const Pools* p, int i)
+{
+	if (p->sleep[i] && p->still[i] != STILL_MADE)
+		island_wake(p, i, WAKE_USER);
+}
+
+// Ends the sleep of a body, and restores its locks.
+INLINE void body_rise(const Pools* p, int i)
+{
+	int sleep = p->sleep[i];
+	p->motion[i].free_x = sleep & SLEEP_LOCK_X ? 0.0f : 1.0f;
+	p->motion[i].free_y = sleep & SLEEP_LOCK_Y ? 0.0f : 1.0f;
+	p->sleep[i] = 0;
+	p->still[i] = 0.0f;
+}
+
+// Puts a body to sleep in an island, or moves a sleeping body to another island.
+INLINE void body_sleep(const Pools* p, int i, int island)
+{
+	int locks = p->sleep[i] & ~SLEEP_ISLAND;
+	if (p->sleep[i] == 0)
+		locks = (p->motion[i].free_x == 0.0f ? SLEEP_LOCK_X : 0) | (p->motion[i].free_y == 0.0f ? SLEEP_LOCK_Y : 0);
+	p->sleep[i] = locks | (1 + island);
+	p->still[i] = 0.0f;
+	p->motion[i].free_x = 0.0f;
+	p->motion[i].free_y = 0.0f;
+	p->motion[i].fx = 0.0f;
+	p->motion[i].fy = 0.0f;
+	p->motion[i].torque = 0.0f;
+	p->body[i].vx = 0.0f;
+	p->body[i].vy = 0.0f;
+	p->body[i].w = 0.0f;
+}
+
+#endif

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// wake.h -- wakes marked islands; ends the constraints of bodies that fell asleep, begins those of bodies that woke.
+//
+// Commands, the narrow phase and the kernels below mark islands. All bodies of a marked island wake in the same step,
+// before the coloring, so that their constraints are solved in that step.
+#ifndef WAKE_H
+#define WAKE_H
+#include "constraints/joint_asleep.h"
+#include "stages/color/joint_edges.h"
+#include "stages/sleep/groups.h"
+
+// Marks the islands of sleeping bodies that touch a static or kinematic collidable that moves or was changed.
+KERNEL(contact_wake)
+{
+	Word flags = p->contact_flags[i];
+	if (i >= p->counters->live || !(flags & CONTACT_ASLEEP))
+		return;
+	Int2 pair = p->pair[i];
+	if ((p->collidable_flags[pair.x] | p->collidable_flags[pair.y]) & COLLIDABLE_SHIFTED)
+		island_wake_both(p, p->contact_bodies[i]);
+}
+
+// Marks the island of a sleeping body that is joined to a static or kinematic body that the user moved.
+KERNEL(joint_wake)
+{
+	if (!(p->joint_flags[i] & JOINT_ASLEEP))
+		return;
+	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	if (p->still[bodies.x] == STILL_MOVED || p->still[bodies.y] == STILL_MOVED)
+		island_wake_both(p, bodies);
+}
+
+// Decides which of the kernels below run. argument: SEARCH_NEVER, SEARCH_DROWSY or SEARCH_NOW.
+KERNEL(sleep_begin)
+{
+	GLOBAL Counters* c = p->counters;
+	int search = p->argument == SEARCH_NOW || (p->argument && (c->drowsy | c->joined_islands));
+	c->searching = 0;
+	c->search_bodies = 0;
+	c->search_contacts = 0;
+	c->waking = 0;
+	c->marked = 0;
+	c->settling = 0;
+	if (c->stalled)
+		return;
+	c->touched = 0;
+	c->marked = c->woken;
+	c->settling = c->woken;
+	c->waking = search ? 0 : c->woken;
+	c->search_all = p->argument == SEARCH_NOW || c->joined_islands || c->woken;
+	if (search)
+	{
+		c->searching = 0x7fffffff;
+		c->search_bodies = c->search_all ? 0x7fffffff : c->active_items[GROUPS_OF_BODIES];
+		c->search_contacts = c->search_all ? 0x7fffffff : c->active_items[GROUPS_OF_CONTACTS];
+	}
+	c->woken = 0;
+	if (p->argument)
+	{
+		c->drowsy = 0;
+		c->joined_islands = 0;
+	}
+	(void)i;
+}
+
+// Wakes the bodies of marked islands, in a step that does not search for islands; island_end does it in the others.
+KERNEL(body_wake)
+{
+	if (body_mark(p, i))
+	{
+		body_rise(p, i);
+		active_touch_body(p, i);
+	}
+}
+
+// Ends the constraint of slot i if one of its bodies fell asleep, and keeps its values at the slot; or begins it again
+// if both are awake. begins: statement that begins the constraint.
+#define SLEEP_EDGE(kind, bodies, flags, ASLEEP, begins)   \
+	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y]; \
+	if (sleeps && p->kind##_color[i] != COLOR_NONE)       \
+	{                                                     \
+		if (p->kind##_place[i] >= 0)                      \
+			kind##_keep(p, i, p->kind##_place[i]);        \
+		kind##_leave(p, i);                               \
+		p->kind##_flags[i] = flags | ASLEEP;              \
+	}                                                     \
+	else if (!sleeps && flags & ASLEEP)                   \
+	{                                                     \
+		p->kind##_flags[i] = flags & ~ASLEEP;             \
+		begins;                                           \
+	}
+
+KERNEL(contact_sleep)
+{
+	Word flags = p->contact_flags[i];
+	if (i >= p->counters->live || p->pair[i].x < 0)
+		return;
+	Int2 bodies = p->contact_bodies[i];
+	if (contact_is_live(p, i))
+		active_touch(p, GROUPS_OF_CONTACTS, i);
+	SLEEP_EDGE(contact, bodies, flags, CONTACT_ASLEEP, edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), bodies))
+}
+
+KERNEL(joint_sleep)
+{
+	int flags = p->joint_flags[i];
+	if (!(flags & JOINT_THERE))
+		return;
+	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	// if joints were changed, joint_update begins all joints that have no constraint
+	int begins = joint_wanted(flags) && p->counters->joints_dirty == 0;
+	SLEEP_EDGE(joint, bodies, flags, JOINT_ASLEEP, if (begins) joint_begin(p, i))
+}
+
+// Item: a joint, in a step whose substeps have another length than those of the last step. Scales the impulses of
+// sleeping joints, so that their forces stay the same; the warm start scales those of awake joints.
+KERNEL(joint_rescale)
+{
+	if (!p->counters->stalled && p->joint_flags[i] & JOINT_ASLEEP)
+		joint_scale_asleep(p, i, p->step.h_ratio);
+}
+
+// Item: a body, for a call of the user between two steps. Wakes it in the next step, or puts it to sleep there.
+// argument: 1 to wake, 0 to sleep.
+KERNEL(set_awake)
+{
+	float still = p->still[i];
+	if (!body_takes_part(p, i))
+		return;
+	if (p->argument && p->sleep[i])
+		island_wake(p, i, WAKE_USER);
+	if (p->argument && still == STILL_FORCED)
+		p->still[i] = 0.0f;
+	if (!p->argument && p->sleep_threshold[i] >= 0.0f)
+		p->still[i] = STILL_FORCED;
+}
+
+// Item: a body that the user destroys, before its row is cleared.
+KERNEL(body_gone) { body_gone_wake(p, i); }
+
+// Writes 1 to the pool island for a body that sleeps and is not marked to wake, else 0.
+KERNEL(sleep_report) { p->island[i] = body_sleeps_on(p, i); }
+
+// Item: a partial sum over the bodies and contacts i, i + HASH_SUMS, i + 2 HASH_SUMS and so on. Its lower 32 bits are
+// the number of sleeping bodies, its upper 32 bits that of their touching contacts. argument: number of bodies.
+KERNEL(sleep_count)
+{
+	Word64 sum = 0;
+	for (int k = i; k < p->argument; k += HASH_SUMS)
+		sum += (Word64)body_sleeps_on(p, k);
+	for (int k = i; k < p->counters->contacts; k += HASH_SUMS)
+		sum += (Word64)(p->pair[k].x >= 0 && p->contact_flags[k] & CONTACT_ASLEEP) << 32;
+	p->hash[i] = sum;
+}
+
+// Clears the marks of islands, and of bodies that the user moved.
+KERNEL(sleep_end)
+{
+	p->wake[i] = 0;
+	if (p->still[i] == STILL_MOVED)
+		p->still[i] = 0.0f;
+}
+
+#endif

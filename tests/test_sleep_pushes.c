@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// test_sleep_pushes.c -- checks that each call that changes a body or a joint wakes the island, and that joints drag
+// sleeping bodies.
+#include "support/make_joints.h"
+#include "support/make_sleepers.h"
+
+typedef void (*Push)(scree_world* world, scree_body body);
+
+static void force(scree_world* w, scree_body b) { OK(scree_body_apply_force(w, b, (scree_vec){1e-3f, 0})); }
+static void force_at(scree_world* w, scree_body b)
+{
+	OK(scree_body_apply_force_at(w, b, (scree_vec){0, 1}, (scree_vec){0, 0}));
+}
+static void torque(scree_world* w, scree_body b) { OK(scree_body_apply_torque(w, b, -1e-3f)); }
+static void impulse(scree_world* w, scree_body b) { OK(scree_body_apply_impulse(w, b, (scree_vec){0, 1e-6f})); }
+static void impulse_at(scree_world* w, scree_body b)
+{
+	OK(scree_body_apply_impulse_at(w, b, (scree_vec){1, 0}, (scree_vec){0, 1}));
+}
+static void spin_impulse(scree_world* w, scree_body b) { OK(scree_body_apply_angular_impulse(w, b, 1e-6f)); }
+static void velocity(scree_world* w, scree_body b)
+{
+	OK(scree_body_set_velocity(w, b, (scree_velocity){{0, 0}, 1e-6f}));
+}
+static void linear(scree_world* w, scree_body b) { OK(scree_body_set_linear_velocity(w, b, (scree_vec){1e-6f, 0})); }
+static void spin(scree_world* w, scree_body b) { OK(scree_body_set_angular_velocity(w, b, -1.0f)); }
+static void pose(scree_world* w, scree_body b) { OK(scree_body_set_pose(w, b, pose_of(w, b))); }
+static void mass(scree_world* w, scree_body b) { OK(scree_body_set_mass(w, b, (scree_mass){2, 1, {0, 0}})); }
+static void type(scree_world* w, scree_body b) { OK(scree_body_set_type(w, b, SCREE_BODY_KINEMATIC)); }
+static void damping(scree_world* w, scree_body b) { OK(scree_body_set_damping(w, b, 1.0f, 2.0f)); }
+static void gravity_scale(scree_world* w, scree_body b) { OK(scree_body_set_gravity_scale(w, b, -1.0f)); }
+static void locks(scree_world* w, scree_body b) { OK(scree_body_set_locks(w, b, SCREE_LOCK_X)); }
+static void disable(scree_world* w, scree_body b) { OK(scree_body_set_enabled(w, b, false)); }
+static void destroy(scree_world* w, scree_body b) { OK(scree_body_destroy(w, b)); }
+static void remove_part(scree_world* w, scree_body b) { OK(scree_collidable_destroy(w, collidable_of(w, b))); }
+static void dress(scree_world* w, scree_body b)
+{
+	OK(scree_collidable_set_attribute(w, collidable_of(w, b), box_attribute(w, 0.4f, 0.4f)));
+}
+static void filter(scree_world* w, scree_body b)
+{
+	OK(scree_collidable_set_filter(w, collidable_of(w, b), (scree_filter){1, 1, 1}));
+}
+static void join_world(scree_world* w, scree_body b) { join(w, SCREE_JOINT_WELD, NOBODY, b, 0.0f, 1.5f); }
+
+static void rub(scree_world* w, scree_body b)
+{
+	scree_attribute_def def = surface_of(box_shape(0.5f, 0.5f));
+	def.friction = 0.1f;
+	OK(scree_collidable_set_attribute(w, collidable_of(w, b), add_attribute(w, &def)));
+}
+
+static void add_part(scree_world* w, scree_body b)
+{
+	scree_collidable_def def = scree_collidable_def_default();
+	def.attribute = box_attribute(w, 0.1f, 0.1f);
+	def.body = b;
+	create_collidable(w, &def);
+}
+
+static void changes_wake_islands(void** state)
+{
+	(void)state;
+	const Push pushes[] = {force,   force_at,    torque, impulse, impulse_at, spin_impulse,  velocity,  linear,
+	                       spin,    pose,        mass,   type,    damping,    gravity_scale, locks,     disable,
+	                       destroy, remove_part, dress,  filter,  rub,        add_part,      join_world};
+	for (size_t k = 0; k < sizeof pushes / sizeof pushes[0]; ++k)
+	{
+		scree_world* world = open_sleepers(-10.0f);
+		scree_body bodies[STACK], other[STACK];
+		add_stack(world, 0.0f, bodies);
+		add_stack(world, 10.0f, other);
+		run_to_sleep(world, bodies, STACK);
+		run_to_sleep(world, other, STACK);
+		pushes[k](world, bodies[1]);
+		for (int step = 0; step < 2; ++step) // the bodies count as awake at once
+		{
+			for (int i = 0; i < STACK; ++i)
+				if (i != 1 && !is_awake(world, bodies[i]))
+					fail_msg("change %d does not wake body %d", (int)k, i);
+			run_steps(world, 1);
+		}
+		expect_awake(world, other, STACK, false);
+		close_sleepers(world);
+	}
+}
+
+// Two discs hang side by side without gravity, 3 m apart, joined by a rod.
+static void joints_drag_sleepers(void** state)
+{
+	(void)state;
+	for (int how = 0; how < 4; ++how)
+	{
+		scree_world* world = open_sleepers(0.0f);
+		scree_body puller =
+		    add_shape(world, how < 3 ? SCREE_BODY_KINEMATIC : SCREE_BODY_DYNAMIC, circle_shape(0.5f), 0, 0, 0);
+		scree_body pulled = add_disc(world, 0.5f, 3.0f, 0.0f), far = add_disc(world, 0.5f, 3.0f, 9.0f);
+		scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, puller, pulled, 1.5f, 0.0f, 0.0f);
+		scree_joint joint = add_joint(world, &def);
+		run_to_sleep(world, &pulled, 1);
+		run_as_before(world, &pulled, 1, 20, false);
+		assert_int_equal(joint_state_of(world, joint).broken, 0);
+		if (how == 0)
+			OK(scree_body_set_linear_velocity(world, puller, (scree_vec){-0.6f, 0.0f}));
+		else if (how == 1)
+			OK(scree_body_set_target(world, puller, upright_at(-0.01f, 0.0f)));
+		else if (how == 2)
+			OK(scree_body_set_pose(world, puller, upright_at(-0.01f, 0.0f)));
+		else
+			OK(scree_body_apply_impulse(world, puller, (scree_vec){-2.0f * 0.6f * mass_of(world, puller).mass, 0.0f}));
+		run_steps(world, 1);
+		assert_true(is_awake(world, pulled));
+		assert_true(velocity_of(world, pulled).linear.x < -0.05f || pose_of(world, pulled).position.x < 2.995f);
+		run_steps(world, 4);
+		assert_true(is_awake(world, pulled) && !is_awake(world, far));
+		double way = how == 0 || how == 3 ? -0.6 * 5 * STEP : -0.01;
+		NEAR(pose_of(world, pulled).position.x, 3.0 + way, 0.004);
+		close_sleepers(world);
+	}
+}
+
+// Changes of a joint wake both bodies; a setting with its present value does not.
+static void changes_of_joints_wake_bodies(void** state)
+{
+	(void)state;
+	scree_world* world = open_sleepers(0.0f);
+	scree_body bodies[2] = {add_disc(world, 0.5f, 0.0f, 0.0f), add_disc(world, 0.5f, 3.0f, 0.0f)};
+	scree_joint joint = join(world, SCREE_JOINT_PRISMATIC, bodies[0], bodies[1], 1.5f, 0.0f);
+	scree_joint_coordinate motor;
+	OK(scree_joint_get_coordinate(world, joint, SCREE_ALONG, &motor));
+	motor.motor = true;
+	motor.motor_max = 100.0f;
+	run_to_sleep(world, bodies, 2);
+	OK(scree_joint_set_coordinate(world, joint, SCREE_ALONG, &motor));
+	expect_awake(world, bodies, 2, true);
+	run_to_sleep(world, bodies, 2);
+	OK(scree_joint_set_coordinate(world, joint, SCREE_ALONG, &motor));
+	OK(scree_joint_set_motor_speed(world, joint, SCREE_ALONG, 0.0f));
+	run_as_before(world, bodies, 2, 3, false);
+	OK(scree_joint_set_motor_speed(world, joint, SCREE_ALONG, 1.0f));
+	run_as_before(world, bodies, 2, 60, true); // the motor keeps its bodies awake
+	NEAR(velocity_of(world, bodies[1]).linear.x - velocity_of(world, bodies[0]).linear.x, 1.0, 1e-3);
+	OK(scree_joint_set_motor_speed(world, joint, SCREE_ALONG, 0.0f));
+	run_to_sleep(world, bodies, 2);
+	OK(scree_joint_set_enabled(world, joint, false));
+	expect_awake(world, bodies, 2, true);
+	run_to_sleep(world, bodies, 2);
+	OK(scree_body_set_awake(world, bodies[0], true));
+	assert_false(is_awake(world, bodies[1])); // a disabled joint connects nothing
+	run_to_sleep(world, bodies, 2);
+	OK(scree_joint_destroy(world, joint));
+	expect_awake(world, bodies, 2, true);
+	close_sleepers(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(changes_wake_islands), cmocka_unit_test(joints_drag_sleepers),
+	                                   cmocka_unit_test(changes_of_joints_wake_bodies)};
+	return RUN_SLEEPERS(tests);
+}
