@@ -17,6 +17,7 @@ typedef struct // 32 bytes: a change that the user made between steps
 // these bits:
 #define COMMAND_DISABLED 1 // the body is disabled
 #define COMMAND_JOINED   2 // the body is static or kinematic, and has joints
+#define COMMAND_NEW      4 // the command initializes a new body, and wakes nothing
 
 #define COMMAND_FORCE           0  // x, y: N
 #define COMMAND_FORCE_AT        1  // force x, y, N; world point x, y, m

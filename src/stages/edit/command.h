@@ -156,8 +156,8 @@ INLINE void command_change(const Pools* p, Command c)
 }
 INLINE void command_apply(const Pools* p, Command c)
 {
-	int disabled = c.kind < COMMAND_BODY && c.whole[1] & COMMAND_DISABLED;
-	if (command_stirs(p, c))
+	int bits = c.kind < COMMAND_BODY ? c.whole[1] : 0, disabled = bits & COMMAND_DISABLED;
+	if (!(bits & COMMAND_NEW) && command_stirs(p, c))
 		command_stir(p, c.index, c.whole[1] & COMMAND_JOINED);
 	if (disabled)
 		command_wake(p, c.index);

@@ -12,23 +12,24 @@
 static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 {
 	scree_velocity v = row->velocity;
+	int bits = COMMAND_NEW | (row->disabled ? COMMAND_DISABLED : 0);
 	to[0] = (Command){.kind = COMMAND_BODY, .value = body_pose(row)};
 	memcpy(to[0].whole, &row->center, sizeof row->center);
 	to[1] = (Command){.kind = COMMAND_MASS,
-	                  .whole = {0, row->disabled},
+	                  .whole = {0, bits},
 	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};
-	to[2] = (Command){
-	    .kind = COMMAND_MOTION, .whole = {(int)row->locks, row->disabled}, .value = body_values_row(&row->values)};
-	to[3] = (Command){.kind = COMMAND_VELOCITY,
-	                  .whole = {0, row->disabled},
-	                  .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
+	to[2] = (Command){.kind = COMMAND_MOTION, .whole = {(int)row->locks, bits}, .value = body_values_row(&row->values)};
+	to[3] = (Command){
+	    .kind = COMMAND_VELOCITY, .whole = {0, bits}, .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
 	to[4] = continuous_command(world, row->index);
 	to[5] = (Command){.kind = COMMAND_SLEEP,
 	                  .whole = {row->asleep ? SLEEP_FROM_START : SLEEP_NOT_YET},
 	                  .value = make_float4(row->sleep_threshold, 0.0f, 0.0f, 0.0f)};
-	for (int k = 0; k < BODY_COMMANDS; ++k)
+	// a cleared row already has the threshold 0, and is awake
+	int count = BODY_COMMANDS - !(row->asleep || row->sleep_threshold != 0.0f);
+	for (int k = 0; k < count; ++k)
 		to[k].index = row->index;
-	return BODY_COMMANDS;
+	return count;
 }
 
 static int collidable_commands(const scree_world* world, int k, Command* to)

@@ -8,7 +8,7 @@
 // commands, because a transfer to a GPU costs as much as some hundred commands.
 #define LONG_RUN 16
 
-#define BODY_COMMANDS       6 // number of commands per row of a body
+#define BODY_COMMANDS       6 // maximum number of commands per row of a body
 #define COLLIDABLE_COMMANDS 3 // maximum number of commands per row of a collidable
 
 // Sends all commands to the device and applies them there. most: upper bound of the number of commands. memory: space
