@@ -17,7 +17,7 @@
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096 // with at most this number of slots, packing would save nothing
 
-static const Per grouped[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT};
+const Per grouped[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT};
 static const Per groups[GROUP_KINDS] = {PER_BODY_GROUP, PER_COLLIDABLE_GROUP, PER_CONTACT_GROUP};
 
 static int64_t rounded(int64_t capacity) { return (capacity + LEAST_CAPACITY - 1) / LEAST_CAPACITY * LEAST_CAPACITY; }

@@ -6,6 +6,12 @@
 
 #define LEAST_CAPACITY GROUP_ITEMS // number of items; requested capacities are rounded up to a multiple of this
 
+// For each kind of items in groups (GROUPS_OF_*): the kind of its pools.
+extern const Per grouped[GROUP_KINDS];
+
+// Returns a number of items, rounded up to whole groups.
+static inline int group_items(int items) { return (items + GROUP_ITEMS - 1) / GROUP_ITEMS * GROUP_ITEMS; }
+
 // Ensures space for `capacity` items in the pools of `per` and in pools that depend on them; pools grow by half or
 // more.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);

@@ -58,7 +58,7 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	               .visited = bound};
 	if (step->sleep)
 	{
-		solve.bodies = (solve.bodies + GROUP_ITEMS - 1) / GROUP_ITEMS * GROUP_ITEMS;
+		solve.bodies = group_items(solve.bodies);
 		solve.visited = bound == NO_COUNT ? COUNT(active_items) + GROUPS_OF_BODIES : COUNT(kept_bodies);
 	}
 #define CONSTRAINT_KIND(kind, Kind, KIND) solve.rare[CONSTRAINT_##KIND] = KIND##_RARE(step);

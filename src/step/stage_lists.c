@@ -3,6 +3,7 @@
 #include "step/stage_lists.h"
 #include "platform/error.h"
 #include "step/dispatch.h"
+#include "step/reserve.h"
 #include "step/tree_maintenance.h"
 
 // Lists the runs that recompute the boxes of a tree. count: NO_COUNT, or a counter; if it is 0, the runs do nothing.
@@ -51,14 +52,10 @@ static void tree_refit_all(RunList* list, const Tree* tree, int t)
 	tree_order(list, tree, t, COUNT(order) + t);
 }
 
-static int group_items(int items) { return (items + GROUP_ITEMS - 1) / GROUP_ITEMS * GROUP_ITEMS; }
-
 // Returns the counter of the items of a kind that a kernel visits; NO_COUNT in a world that does not sleep.
 static int visits(const Step* step, int kind) { return step->sleep ? COUNT(active_items) + kind : NO_COUNT; }
 
-static const Per group_pers[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT};
-
-static int group_count(const Backend* b, int kind) { return b->capacity[group_pers[kind]] / GROUP_ITEMS; }
+static int group_count(const Backend* b, int kind) { return b->capacity[grouped[kind]] / GROUP_ITEMS; }
 
 // Lists the runs that make all groups of items active, in the first step in which the world sleeps.
 static void list_all_groups(Pipeline* pipeline, const Step* step, int bodies)

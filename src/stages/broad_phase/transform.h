@@ -4,6 +4,7 @@
 #define TRANSFORM_H
 #include "dialect/vec.h"
 #include "stages/edit/active.h"
+#include "stages/edit/asleep.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
@@ -139,10 +140,8 @@ INLINE int transform_grains(float thickness, float reach)
 INLINE int transform_shifts(const Pools* p, int i, Float4 box, WorldShape now)
 {
 	WorldShape then = p->world_shape[i];
-	BodyState body = p->body[now.body];
-	int moves = body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
 	int moved = now.x != then.x || now.y != then.y || now.c != then.c || now.s != then.s;
-	return moves || (moved && box.x <= box.z) ? COLLIDABLE_SHIFTED : 0;
+	return body_is_moving(p, now.body) || (moved && box.x <= box.z) ? COLLIDABLE_SHIFTED : 0;
 }
 
 // Updates world poses and boxes. Lists the collidables that left their enlarged boxes; new ones had an empty box.

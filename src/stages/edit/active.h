@@ -15,7 +15,6 @@
 #define GROUP_VISITS 2 // state of a group after a change
 
 // Returns the states of the groups of a kind: the number of searches of islands until a group rests; 0 if it rests.
-
 INLINE GLOBAL int* group_states(const Pools* p, int kind)
 {
 	return kind == GROUPS_OF_BODIES        ? p->body_group_state
@@ -40,18 +39,17 @@ INLINE int listed_item(const Pools* p, int kind, int i)
 // Returns the item that a kernel visits as number i. In a world that does not sleep, kernels visit all items.
 INLINE int active_item(const Pools* p, int kind, int i) { return p->step.sleep ? listed_item(p, kind, i) : i; }
 
-// Ends the rest of the group of an item. Returns whether the group rested until now. If several work-items do this at
-// once, the one whose atomic maximum replaces 0 appends the group to the list.
-INLINE int active_touch(const Pools* p, int kind, int item)
+// Ends the rest of the group of an item. If several work-items do this at once, the one whose atomic maximum replaces 0
+// appends the group to the list.
+INLINE void active_touch(const Pools* p, int kind, int item)
 {
 	int group = item >> GROUP_BITS;
 	GLOBAL int* state = group_states(p, kind) + group;
 	if (read_shared(state) >= GROUP_VISITS || atomic_max_int(state, GROUP_VISITS) != 0)
-		return 0;
+		return;
 	int place = atomic_add_int(&p->counters->active_items[kind], GROUP_ITEMS) >> GROUP_BITS;
 	groups_of(p, kind)[place] = group;
 	raise_int(&p->counters->relist[kind], 0x7fffffff);
-	return 1;
 }
 
 // Ends the rest of the groups of a body and of its collidables.

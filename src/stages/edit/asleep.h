@@ -9,6 +9,12 @@
 #include "dialect/dialect.h"
 #include "pools/pools.h"
 
+INLINE int body_is_moving(const Pools* p, int i)
+{
+	BodyState body = p->body[i];
+	return body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
+}
+
 // Returns the number of the island of a sleeping body; -1 for an awake body.
 INLINE int body_island(const Pools* p, int i) { return (p->sleep[i] & SLEEP_ISLAND) - 1; }
 

@@ -154,6 +154,7 @@ INLINE void command_change(const Pools* p, Command c)
 			command_collidable_change(p, c);
 	}
 }
+
 INLINE void command_apply(const Pools* p, Command c)
 {
 	int bits = c.kind < COMMAND_BODY ? c.whole[1] : 0, disabled = bits & COMMAND_DISABLED;

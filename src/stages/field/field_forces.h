@@ -114,9 +114,8 @@ KERNEL(field_wake)
 		for (int field = field_next(p, &traversal); field >= 0; field = field_next(p, &traversal))
 		{
 			int carrier = p->field[field].body;
-			BodyState body = p->body[carrier < 0 ? 0 : carrier];
-			int moves = body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
-			if (moves && carrier != i && field_sees(p->field + field, p->filter + k - 1))
+			if (carrier >= 0 && body_is_moving(p, carrier) && carrier != i &&
+			    field_sees(p->field + field, p->filter + k - 1))
 				island_wake(p, i, WAKE_WORLD);
 		}
 	}

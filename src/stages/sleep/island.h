@@ -16,12 +16,6 @@
 
 INLINE int body_can_move(const Pools* p, int i) { return p->body[i].inv_mass > 0.0f; }
 
-INLINE int body_is_moving(const Pools* p, int i)
-{
-	BodyState body = p->body[i];
-	return body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
-}
-
 // Returns the root of a body, and halves the path to it. Other work-items may link roots at the same time. A path leads
 // only to lower indices of the same island, so an old value is also correct.
 INLINE int island_root(const Pools* p, int i)
