@@ -13,7 +13,7 @@ static int part_count, joint_count;
 static scree_world* open_rig(double gravity)
 {
 	part_count = joint_count = 0;
-	return open_world((float)-gravity);
+	return stay_awake(open_world((float)-gravity));
 }
 
 // Adds a body to the world and to the list `parts`. Bodies of this list do not touch each other.

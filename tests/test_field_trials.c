@@ -20,7 +20,7 @@ static scree_field_def water_def(float density)
 static void bodies_float_and_sink(void** state)
 {
 	(void)state;
-	scree_world* world = open_world((float)-G);
+	scree_world* world = stay_awake(open_world((float)-G));
 	scree_field_def def = water_def(2.0f);
 	add_field(world, &def);
 	scree_body flat = add_dense(world, box_shape(1.0f, 0.25f), 1.0f, 0.0f, 0.4f);
@@ -39,7 +39,7 @@ static void bodies_float_and_sink(void** state)
 	// a floating body does not move for minutes, at the origin and 50 km away
 	for (int far = 0; far < 2; ++far)
 	{
-		world = open_world((float)-G);
+		world = stay_awake(open_world((float)-G));
 		add_field(world, &def);
 		float x = far ? 50000.0f : 0.0f;
 		flat = add_dense(world, box_shape(1.0f, 0.25f), 1.0f, x, 0.4f);

@@ -58,7 +58,7 @@ static int body_count(const Stack* s) { return s->plates * (1 + s->crates); }
 
 static void check_rest(const Stack* s, int steps, double limit)
 {
-	scree_world* world = open_world(-(float)G);
+	scree_world* world = stay_awake(open_world(-(float)G));
 	scree_body* bodies = calloc((size_t)body_count(s), sizeof *bodies);
 	add_stack(world, s, bodies);
 	double depth = deepest_of(world, steps);
@@ -116,7 +116,7 @@ static void add_combs(scree_world* world, int teeth, int combs, float other_dens
 static void check_combs(int teeth, int combs, float other_density)
 {
 	Stack floor = {.friction = 0.6f};
-	scree_world* world = open_world(-(float)G);
+	scree_world* world = stay_awake(open_world(-(float)G));
 	add_body(world, SCREE_BODY_STATIC, surface(world, box_shape(60.0f, 1.0f), 1.0f, &floor), 0.0f, -1.0f, 0.0f);
 	add_combs(world, teeth, combs, other_density, 0.0f);
 	double depth = deepest_of(world, 300), rest = deepest_of(world, 60);

@@ -28,7 +28,7 @@ static void open_level(Level* level, int threads)
 	*level = (Level){0};
 	for (int w = 0; w < 2; ++w)
 	{
-		scree_world* world = level->worlds[w] = open_world_on("cpu", threads, (float)-G);
+		scree_world* world = level->worlds[w] = stay_awake(open_world_on("cpu", threads, (float)-G));
 		for (int k = 0; k < STATICS; ++k)
 			level->statics[w][k] = add_crate(world, SCREE_BODY_STATIC, (float)(k % 50), -3.0f * (float)(k / 50));
 		for (int k = 0; k < MOVERS; ++k)

@@ -247,7 +247,7 @@ static void bodies_are_switched(void** state)
 static void settings_are_read_and_act(void** state)
 {
 	(void)state;
-	scree_world* world = open_test_world(-10.0f);
+	scree_world* world = stay_awake(open_test_world(-10.0f));
 	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, SCREE_NULL_BODY, body, 0.0f, 0.0f, 0.0f), now;
 	def.user = 5;

@@ -189,7 +189,7 @@ static void far_away(void** state)
 	(void)state;
 	for (int world_point = 0; world_point < 2; ++world_point)
 	{
-		scree_world* world = open_world((float)-G);
+		scree_world* world = stay_awake(open_world((float)-G));
 		scree_body links[10];
 		scree_body anchor = world_point ? NOBODY : add_box(world, SCREE_BODY_STATIC, 0.05f, 0.05f, 5000.0f, 5000.0f);
 		add_chain(world, links, 10, 0.5f, (scree_vec){5000.0f, 5000.0f}, anchor);

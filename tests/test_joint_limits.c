@@ -206,7 +206,7 @@ static void joints_break_at_their_threshold(void** state)
 	for (int k = 0; k < 4; ++k)
 		for (int above = 0; above < 3; ++above)
 		{
-			scree_world* world = open_world((float)-G);
+			scree_world* world = stay_awake(open_world((float)-G));
 			scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, -1.0f);
 			double weight = weight_of(world, body);
 			scree_joint_def def = joint_def_at(world, types[k], NOBODY, body, 0.0f, -1.0f, 0.0f);

@@ -64,7 +64,7 @@ static double solution(double rate, double ratio, double t)
 // the two.
 static void check_swing(const Kind* kind, double hertz, double ratio, int substeps)
 {
-	scree_world* world = open_world(0.0f);
+	scree_world* world = stay_awake(open_world(0.0f));
 	bool turns = kind->coordinate == SCREE_ANGLE || kind->type == SCREE_JOINT_GEAR;
 	float x = kind->type == SCREE_JOINT_DISTANCE ? 2.0f : kind->arm;
 	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, x, 0.0f);
@@ -139,7 +139,7 @@ static void springs_carry(void** state)
 		for (int i = 0; i < 3; ++i)
 			for (int j = 0; j < 3; ++j)
 			{
-				scree_world* world = open_world(-10.0f);
+				scree_world* world = stay_awake(open_world(-10.0f));
 				scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, 0.0f, 0.0f);
 				scree_joint_def def = scree_joint_def_make(lock ? SCREE_JOINT_WELD : SCREE_JOINT_TARGET);
 				def.body_b = body;

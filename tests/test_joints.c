@@ -123,7 +123,7 @@ static void beams_hold(void** state)
 	(void)state;
 	for (int boxes = 1; boxes <= 16; boxes *= 2)
 	{
-		scree_world* world = open_world((float)-G);
+		scree_world* world = stay_awake(open_world((float)-G));
 		scree_body body = NOBODY;
 		scree_joint first = SCREE_NULL_JOINT;
 		for (int k = 0; k < boxes; ++k)
@@ -167,7 +167,7 @@ static void ropes_carry(void** state)
 	};
 	for (int heavy = 0; heavy < 2; ++heavy)
 	{
-		scree_world* world = open_world((float)-G);
+		scree_world* world = stay_awake(open_world((float)-G));
 		scree_body links[LINKS + 1];
 		for (int k = 0; k <= LINKS; ++k)
 		{
@@ -198,7 +198,7 @@ static void springs_give(void** state)
 	for (int k = 0; k < 4; ++k)
 	{
 		static const float hertz[] = {1.0f, 2.0f, 0.5f, 5.0f};
-		scree_world* world = open_world((float)-G);
+		scree_world* world = stay_awake(open_world((float)-G));
 		scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 3.0f);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_WHEEL, NOBODY, body, 0.0f, 3.0f, (float)PI / 2.0f);
 		def.coordinates[SCREE_ALONG].spring_hertz = hertz[k];

@@ -138,7 +138,7 @@ static void crossings_keep_the_branch(void** state)
 	static const float speeds[] = {0.02f, 1.0f, 7.0f, -20.0f};
 	for (int k = 0; k < 4; ++k)
 	{
-		scree_world* world = open_world(0.0f);
+		scree_world* world = stay_awake(open_world(0.0f));
 		scree_path path = add_eight(world);
 		float lap = length_of(world, path), begin = k == 0 ? 0.249f * lap : 0.0f;
 		scree_body bead = add_wagon(world, path, begin, 0.05f, speeds[k]);

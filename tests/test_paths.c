@@ -249,7 +249,7 @@ static void all_sizes(void** state)
 	for (int k = 0; k < 5; ++k)
 	{
 		double radius = radii[k], speed = fmin(radius, 200.0), off = 0.0;
-		scree_world* world = open_world(0.0f);
+		scree_world* world = stay_awake(open_world(0.0f));
 		scree_path path = add_circle(world, radius, 0.0, 0.0, 128);
 		scree_body bead = add_wagon(world, path, 0.0f, (float)fmin(0.1, 0.2 * radius), (float)speed);
 		scree_joint joint = ride(world, path, bead, false);

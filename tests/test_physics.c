@@ -82,7 +82,7 @@ static void damping(void** state)
 static void spin(void** state)
 {
 	(void)state;
-	scree_world* world = open_world(0.0f);
+	scree_world* world = stay_awake(open_world(0.0f));
 	const float rates[] = {0.01f, 1.0f, -7.0f, 100.0f};
 	scree_body bodies[4];
 	for (int k = 0; k < 4; ++k)
@@ -186,7 +186,7 @@ static void locks(void** state)
 static double slide(double degrees, double friction, int steps)
 {
 	float slant = (float)(degrees * PI / 180.0);
-	scree_world* world = open_world(-10.0f);
+	scree_world* world = stay_awake(open_world(-10.0f));
 	scree_rot turn = scree_rot_make(slant);
 	scree_attribute slope = add_surface(world, box_shape(40.0f, 1.0f), (float)friction, 0.0f);
 	scree_attribute flat = add_surface(world, box_shape(0.5f, 0.25f), (float)friction, 0.0f);

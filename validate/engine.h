@@ -10,12 +10,13 @@ typedef struct
 	int threads, lanes; // 0: the engine chooses
 	bool allow_unequal_bits;
 	bool continuous; // true: continuous collision in Box2D; Scree always has continuous collision
+	bool sleep;      // true: bodies at rest fall asleep
 } EngineOptions;
 
 typedef struct
 {
-	// definition of Scree's world; device, threads and lanes come from EngineOptions, and other engines use only
-	// gravity
+	// definition of Scree's world; device, threads, lanes and sleep come from EngineOptions, and other engines use
+	// only gravity
 	scree_world_def world;
 	float max_speed;     // m/s; 0: world.max_speed in Scree, the engine's default in others
 	float contact_hertz; // stiffness of contacts, Hz; 0: world.contact_hertz in Scree, the engine's default in others
@@ -58,6 +59,7 @@ typedef struct // functions that return bool print a message and return false on
 	bool (*step)(void* state, float dt, int substeps);
 	bool (*wait)(void* state);                // waits until all work is done
 	bool (*frozen)(void* state, int* frozen); // adds to *frozen the number of bodies that the last step froze
+	bool (*awake)(void* state, int* awake);   // sets *awake to the number of dynamic bodies that are awake
 	// reads poses and velocities of bodies, or of indices 0 to count - 1 if `bodies` is null; `velocities` may be null
 	bool (*read)(void* state, const int* bodies, int count, scree_pose* poses, scree_velocity* velocities);
 	bool (*hash)(void* state, uint64_t* hash); // hash of all simulated state, as the engine defines it

@@ -38,6 +38,7 @@ static void* open(const EngineOptions* options, const EngineDef* def)
 		return NULL;
 	scree_world_def world = def->world;
 	engine_set_device(&world, options);
+	world.sleep = options->sleep;
 	if (def->max_speed > 0.0f)
 		world.max_speed = def->max_speed;
 	if (def->contact_hertz > 0.0f)
@@ -208,6 +209,15 @@ static bool frozen(void* context, int* frozen)
 	return true;
 }
 
+static bool awake(void* context, int* awake)
+{
+	State* state = context;
+	scree_counters counters;
+	bool good = report_status(scree_world_get_counters(state->world, &counters));
+	*awake = good ? counters.dynamic_bodies - counters.asleep_bodies : 0;
+	return good;
+}
+
 static bool read(void* context, const int* bodies, int count, scree_pose* poses, scree_velocity* velocities)
 {
 	State* state = context;
@@ -250,5 +260,5 @@ int engine_overlaps(void* context, int body)
 	return overlaps;
 }
 
-const Engine scree_engine = {"scree", open, create, destroy, join, set_poses, set_velocity, push,
-                             step,    wait, frozen, read,    hash, bytes,     world,        close};
+const Engine scree_engine = {"scree", open,   create, destroy, join, set_poses, set_velocity, push, step,
+                             wait,    frozen, awake,  read,    hash, bytes,     world,        close};

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // engine_box2d.c -- implements the functions of Engine with the public interface of Box2D v3.
 //
-// Solver parameters, such as the contact stiffness, have each engine's default values. Sleep is off in both engines,
-// so that they do the same work.
+// Solver parameters, such as the contact stiffness, have each engine's default values.
 #include "engine_box2d.h"
 #include "box2d_joint.h"
 #include "box2d_shape.h"
@@ -37,7 +36,7 @@ static void* open(const EngineOptions* options, const EngineDef* engine)
 		def.maximumLinearSpeed = engine->max_speed;
 	if (engine->contact_hertz > 0.0f)
 		def.contactHertz = engine->contact_hertz;
-	def.enableSleep = false;
+	def.enableSleep = options->sleep;
 	def.enableContinuous = options->continuous;
 	def.workerCount = options->threads > 0 ? options->threads : 1;
 	state->world = b2CreateWorld(&def);
@@ -180,6 +179,16 @@ static bool frozen(void* context, int* frozen)
 	return true;
 }
 
+static bool awake(void* context, int* awake)
+{
+	State* state = context;
+	*awake = 0;
+	for (int k = 0; k < state->room; ++k)
+		*awake += b2Body_IsValid(state->bodies[k]) && b2Body_GetType(state->bodies[k]) == b2_dynamicBody &&
+		          b2Body_IsAwake(state->bodies[k]);
+	return true;
+}
+
 static bool read(void* context, const int* bodies, int count, scree_pose* poses, scree_velocity* velocities)
 {
 	State* state = context;
@@ -216,5 +225,5 @@ b2WorldId box2d_world(void* context)
 	return state->world;
 }
 
-const Engine box2d_engine = {"box2d", open, create, destroy, join, set_poses, set_velocity, push,
-                             step,    wait, frozen, read,    hash, bytes,     NULL,         close};
+const Engine box2d_engine = {"box2d", open,   create, destroy, join, set_poses, set_velocity, push, step,
+                             wait,    frozen, awake,  read,    hash, bytes,     NULL,         close};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// peers.c -- compares the speed of Scree and Box2D v3 with the same scenes, steps, substeps and threads, without sleep.
+// peers.c -- compares the speed of Scree and Box2D v3 with the same scenes, steps, substeps and threads.
 //
 // Each trial is a process, so that the engines do not share memory, threads or clock speed. The trials alternate, A B A
 // B, because the speed of a machine changes. A ratio is computed from each pair of consecutive trials, and the
@@ -37,11 +37,17 @@ typedef struct
 } Options;
 
 static const struct option words[] = {
-    {"threads", required_argument, NULL, 't'}, {"steps", required_argument, NULL, 'n'},
-    {"repeats", required_argument, NULL, 'r'}, {"device", required_argument, NULL, 'd'},
-    {"set", required_argument, NULL, 's'},     {"continuous", no_argument, NULL, 'c'},
-    {"help", no_argument, NULL, 'h'},          {"engine", required_argument, NULL, 'e'},
-    {"ruled", no_argument, NULL, 'R'},         {0},
+    {"threads", required_argument, NULL, 't'},
+    {"steps", required_argument, NULL, 'n'},
+    {"repeats", required_argument, NULL, 'r'},
+    {"device", required_argument, NULL, 'd'},
+    {"set", required_argument, NULL, 's'},
+    {"continuous", no_argument, NULL, 'c'},
+    {"help", no_argument, NULL, 'h'},
+    {"engine", required_argument, NULL, 'e'},
+    {"ruled", no_argument, NULL, 'R'},
+    {"sleep", no_argument, NULL, 'S'},
+    {0},
 };
 
 static const char* const help =
@@ -59,11 +65,12 @@ static const char* const help =
     "  -r, --repeats N          pairs of timed trials, 5 without it\n"
     "  -d, --device NAME        where Scree runs, cpu without it\n"
     "  -c, --continuous         Box2D with continuous collision\n"
+    "  -S, --sleep              bodies at rest fall asleep in both engines\n"
     "  -s, --set NAME=VALUE     give a parameter of the scenes another value; may be repeated\n"
     "  -e, --engine NAME        one trial alone, of scree or box2d: ms a step, median ms, ms of the first 150, deepest "
     "overlap of all\n"
     "                           steps, mean of the deepest of each, mean contacts, sink, largest and mean\n"
-    "                           separation of joints, final state\n"
+    "                           separation of joints, awake bodies, step since which all sleep, final state\n"
     "  -R, --ruled              that trial is not timed but measured with the ruler\n"
     "  -h, --help               this text\n";
 
@@ -122,6 +129,9 @@ static bool read_option(Options* options, int letter)
 		return true;
 	case 'c':
 		options->options.continuous = true;
+		return true;
+	case 'S':
+		options->options.sleep = true;
 		return true;
 	case 'e':
 		return read_engine(options, optarg);
@@ -183,6 +193,8 @@ static bool start_trial(const Options* options, const char* name, const Engine* 
 		list[n++] = "--ruled";
 	if (options->options.continuous)
 		list[n++] = "--continuous";
+	if (options->options.sleep)
+		list[n++] = "--sleep";
 	for (int k = 0; k < options->setting_count; ++k)
 	{
 		list[n++] = "--set";
@@ -223,7 +235,7 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 		ratio[k] = mean[BOX2D][k] / mean[SCREE][k];
 		first_ratio[k] = first[BOX2D][k] / first[SCREE][k];
 	}
-	printf("%s,%d,%d,%d,%.4f,%.4f,%.3f", name, threads, steps, options->options.continuous,
+	printf("%s,%d,%d,%d,%d,%.4f,%.4f,%.3f", name, threads, steps, options->options.continuous, options->options.sleep,
 	       upper_median_of(mean[SCREE], options->repeats), upper_median_of(mean[BOX2D], options->repeats),
 	       upper_median_of(ratio, options->repeats));
 	printf(",%.3f,%.3f", ratio[0],
@@ -236,6 +248,7 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 	printf(",%.5f,%.5f,%.5f,%.5f", (double)a->penetration, (double)b->penetration, (double)a->depth, (double)b->depth);
 	printf(",%.0f,%.0f,%.5f,%.5f", (double)a->contacts, (double)b->contacts, (double)a->sunk, (double)b->sunk);
 	printf(",%.5f,%.5f,%.7f,%.7f", (double)a->separation, (double)b->separation, (double)a->gap, (double)b->gap);
+	printf(",%d,%d,%d,%d", a->awake, b->awake, a->rested, b->rested);
 	printf(",%016" PRIx64 ",%016" PRIx64 ",%d\n", a->hash, b->hash, same);
 	fflush(stdout);
 	return true;
@@ -266,7 +279,7 @@ int main(int count, char** arguments)
 		return queries_peers(count - 1, arguments + 1);
 	Options options = {.executable = arguments[0], .threads = {1, 2}, .thread_count = 2, .repeats = 5};
 	options.options.device = "cpu";
-	for (int letter; (letter = getopt_long(count, arguments, "t:n:r:d:s:ce:Rh", words, NULL)) != -1;)
+	for (int letter; (letter = getopt_long(count, arguments, "t:n:r:d:s:cSe:Rh", words, NULL)) != -1;)
 	{
 		if (!read_option(&options, letter))
 			return EXIT_BAD;
@@ -288,10 +301,11 @@ int main(int count, char** arguments)
 		steps[k] = options.steps > 0 ? options.steps : setup.steps;
 		setup_free(&setup);
 	}
-	printf("scene,threads,steps,continuous,ms_scree,ms_box2d,ratio,ratio_least,ratio_most,"
+	printf("scene,threads,steps,continuous,sleep,ms_scree,ms_box2d,ratio,ratio_least,ratio_most,"
 	       "first_scree,first_box2d,first_ratio,median_scree,median_box2d,"
 	       "penetration_scree,penetration_box2d,depth_scree,depth_box2d,contacts_scree,contacts_box2d,sink_scree,"
-	       "sink_box2d,separation_scree,separation_box2d,gap_scree,gap_box2d,hash_scree,hash_box2d,same\n");
+	       "sink_box2d,separation_scree,separation_box2d,gap_scree,gap_box2d,awake_scree,awake_box2d,rested_scree,"
+	       "rested_box2d,hash_scree,hash_box2d,same\n");
 	for (int k = 0; k < name_count; ++k)
 	{
 		if (!compare_all(&options, names[k], steps[k]))

@@ -61,7 +61,6 @@ bool setup_fill(const Setup* setup, scree_world* world)
 scree_world_def setup_world(const Setup* setup)
 {
 	scree_world_def def = setup->scene ? setup->scene->world : scree_world_def_default();
-	def.sleep = false; // as in Box2D's worlds, so that both engines do the same work
 	return def;
 }
 
@@ -70,6 +69,7 @@ scree_world* setup_open(const Setup* setup, int threads)
 	scree_world_def def = setup_world(setup);
 	def.device = "cpu";
 	def.threads = threads;
+	def.sleep = false;
 	scree_world* world = NULL;
 	if (report_status(scree_world_create(&def, &world)) && setup_fill(setup, world))
 		return world;

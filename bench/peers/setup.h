@@ -19,7 +19,7 @@ typedef struct
 bool setup_load(Setup* setup, const char* name, const char* executable, const SceneSetting* settings, int count);
 void setup_free(Setup* setup);
 
-// Returns the definition of the scene's world; the caller sets device, threads and lanes.
+// Returns the definition of the scene's world; the caller sets device, threads, lanes and sleep.
 scree_world_def setup_world(const Setup* setup);
 
 // Adds the bodies and joints of the scene to a new world. Returns false after printing a sentence.

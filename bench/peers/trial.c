@@ -43,13 +43,26 @@ static bool run_timed(Mirror* mirror, const Trial* trial, Result* result)
 	return good;
 }
 
+// Counts the awake bodies after step k.
+static bool count_awake(const Mirror* mirror, int k, Result* result)
+{
+	bool slept = k > 0 && result->awake == 0;
+	if (!mirror->engine->awake(mirror->state, &result->awake))
+		return false;
+	if (result->awake > 0)
+		result->rested = 0;
+	else if (!slept)
+		result->rested = k + 1;
+	return true;
+}
+
 static bool run_measured(Mirror* mirror, const Trial* trial, Result* result)
 {
 	Measure measure;
 	bool good = measure_open(&measure, trial->setup) && mirror_poses(mirror, measure.poses) && measure_take(&measure);
 	for (int k = 0; k < trial->steps && good; ++k)
 		good = mirror_change(mirror, k) && mirror_step(mirror) && measure_change(&measure, trial->setup, k) &&
-		       mirror_poses(mirror, measure.poses) && measure_take(&measure);
+		       mirror_poses(mirror, measure.poses) && measure_take(&measure) && count_awake(mirror, k, result);
 	result->penetration = measure.penetration;
 	result->sunk = measure.sunk;
 	result->separation = measure.separation;
@@ -76,13 +89,14 @@ bool trial_run(const Engine* engine, const Trial* trial, Result* result)
 
 void result_print(const Result* r)
 {
-	printf("%.6f %.6f %.6f %.6f %.6f %.1f %.6f %.6f %.9f %016" PRIx64 "\n", r->mean, r->median, r->first,
+	printf("%.6f %.6f %.6f %.6f %.6f %.1f %.6f %.6f %.9f %d %d %016" PRIx64 "\n", r->mean, r->median, r->first,
 	       (double)r->penetration, (double)r->depth, (double)r->contacts, (double)r->sunk, (double)r->separation,
-	       (double)r->gap, r->hash);
+	       (double)r->gap, r->awake, r->rested, r->hash);
 }
 
 bool result_scan(const char* line, Result* r)
 {
-	return sscanf(line, "%lf %lf %lf %f %f %f %f %f %f %" SCNx64, &r->mean, &r->median, &r->first, &r->penetration,
-	              &r->depth, &r->contacts, &r->sunk, &r->separation, &r->gap, &r->hash) == 10;
+	return sscanf(line, "%lf %lf %lf %f %f %f %f %f %f %d %d %" SCNx64, &r->mean, &r->median, &r->first,
+	              &r->penetration, &r->depth, &r->contacts, &r->sunk, &r->separation, &r->gap, &r->awake, &r->rested,
+	              &r->hash) == 12;
 }

@@ -27,6 +27,8 @@ typedef struct
 	float sunk;        // largest descent of a body from the start to the last step, m
 	float separation;  // largest distance of the anchor of a joint from its locked place over all steps, m
 	float gap;         // mean distance of an anchor from its locked place over all joints and steps, m
+	int awake;         // number of dynamic bodies that are awake at the end
+	int rested;        // number of the step since which all dynamic bodies sleep; 0: not all sleep at the end
 	// result of both kinds of trials
 	uint64_t hash; // hash of the final state, computed by the engine
 } Result;

@@ -262,7 +262,7 @@ typedef struct scree_world_def
 	bool contact_details;
 	float hit_speed;   // m/s, >= 0, default 1; a contact with a lower approach speed is not a scree_hit
 	float hit_impulse; // N s, >= 0, default 0; a contact with a smaller impulse is not a scree_hit
-	bool sleep;        // true: bodies at rest fall asleep (see "Sleep"); default false
+	bool sleep;        // true (default): bodies at rest fall asleep (see "Sleep")
 	// m/s, 1e-6 to 1e6, default 0.05. A body is at rest while no point of it moves faster. Its motion in each step
 	// counts, not its velocity.
 	float sleep_threshold;

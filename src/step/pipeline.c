@@ -192,14 +192,16 @@ static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 	return pipeline_reserve(pipeline, PER_KEY, pairs);
 }
 
-// Returns whether a step would change nothing: in the last QUIET_STEPS steps all bodies slept or cannot move, and the
-// user has changed nothing since. The counter `movers` that a step reads is that of the step before.
+// Returns whether a step would change nothing: in the last QUIET_STEPS steps all bodies slept or cannot move, the user
+// has changed nothing since, and no contacts are to be packed. The counter `movers` that a step reads is that of the
+// step before.
 static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
 {
 	bool same = request->dt == 0.0f || pipeline->counters.joints == 0 ||
 	            request->dt / (float)request->substeps == pipeline->step.h;
-	return pipeline->quiet >= QUIET_STEPS && !pipeline->edited && !pipeline->counters.joined_islands &&
-	       request->sleep && request->commands.count == 0 && !pipeline->asks && same;
+	return pipeline->quiet >= QUIET_STEPS && pipeline->sparse == 0 && !pipeline->edited &&
+	       !pipeline->counters.joined_islands && request->sleep && request->commands.count == 0 && !pipeline->asks &&
+	       same;
 }
 
 // Ends a step that changes nothing, without the device.
@@ -212,6 +214,7 @@ static void skip(Pipeline* pipeline, const StepRequest* request)
 	++pipeline->steps;
 	++pipeline->skipped;
 	pipeline->rested = true;
+	pipeline_trim(pipeline);
 }
 
 // Counts the successive steps in which nothing moved.

@@ -29,7 +29,8 @@ void set_asleep(Maker* m, Call* call)
 float step_length(Maker* m) { return PICK(m, 1.0f / 60.0f, 1.0f / 30.0f, 0.05f, 0.1f, 0.1f, 0.25f, 0.5f); }
 
 // Adds steps whose lengths sum to 0.5 s or more, the time of rest after which bodies fall asleep. In some of these
-// sequences the whole world sleeps from the first step on, so that the last steps are skipped.
+// sequences the whole world sleeps from the first step on, so that the last steps are skipped. In others, each step is
+// followed by a step of length 0, which moves nothing.
 static void put_rest(Maker* m)
 {
 	Call call = call_make(CALL_awake_world);
@@ -38,8 +39,15 @@ static void put_rest(Maker* m)
 		put(m, call);
 	call = call_make(CALL_step);
 	call_set(&call, "dt", PICK(m, 0.05f, 0.1f, 0.1f, 0.25f, 0.5f));
+	Call look = call_make(CALL_step);
+	call_set(&look, "dt", 0.0f);
+	bool looks = chance(m, 0.2);
 	for (int k = 5 + below(m, 6); k > 0; --k)
+	{
 		put(m, call);
+		if (looks)
+			put(m, look);
+	}
 }
 
 static void put_one(Maker* m, CallKind kind, const char* name, float value)

@@ -26,6 +26,15 @@ scree_world* open_world(float gravity_y) { return open_world_on("cpu", 1, gravit
 
 scree_world* open_test_world(float gravity_y) { return open_world_on(test_device, 2, gravity_y); }
 
+scree_world* stay_awake(scree_world* world)
+{
+	scree_tuning tuning;
+	OK(scree_world_get_tuning(world, &tuning));
+	tuning.sleep = false;
+	OK(scree_world_set_tuning(world, &tuning));
+	return world;
+}
+
 void run_steps(scree_world* world, int steps)
 {
 	for (int k = 0; k < steps; ++k)

@@ -17,6 +17,7 @@ scree_world* open_world_on(const char* device, int threads, float gravity_y);
 scree_world* open_world(float gravity_y);      // opens a world on the CPU with one thread
 scree_world* open_test_world(float gravity_y); // opens a world on the device test_device, with two threads
 extern const char* test_device;                // device that RUN_ON_DEVICES sets
+scree_world* stay_awake(scree_world* world);   // turns sleep off, for tests of motions that end; returns the world
 
 void run_steps(scree_world* world, int steps);   // takes steps of length STEP with SUBSTEPS substeps
 void update_contacts(scree_world* world);        // takes a step of 0 s, in which nothing moves

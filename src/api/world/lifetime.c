@@ -31,6 +31,7 @@ void scree_world_def_default_sized(scree_world_def* def, size_t size)
 	                              .restitution_threshold = 1.0f,
 	                              .max_speed = 400.0f,
 	                              .hit_speed = 1.0f,
+	                              .sleep = true,
 	                              .sleep_threshold = 0.05f};
 	write_result(def, size, &made, sizeof made);
 }

@@ -42,6 +42,8 @@ INLINE void command_body_change(const Pools* p, Command c)
 		break;
 	case COMMAND_TARGET:
 		command_target(p, i, value, c.whole[0]);
+		if (c.whole[1] & COMMAND_JOINED)
+			raise_int(&p->counters->woken, 0x7fffffff);
 		break;
 	case COMMAND_ARRIVE:
 		command_arrive(p, i, value, c.whole[0]);

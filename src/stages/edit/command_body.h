@@ -109,7 +109,8 @@ INLINE Vec command_center(const Pools* p, int i, Float4 pose)
 	return vec_add(vec(pose.x, pose.y), vec_turn(vec(pose.z, pose.w), vec(center.x, center.y)));
 }
 
-// Sets the velocity that moves a body to a pose in one step, by the shorter rotation, within the limits and locks.
+// Sets the velocity that moves a body to a pose in one step, by the shorter rotation, within the limits and locks. A
+// refused step takes it back, so it leaves no mark of sleep at the body; joint_wake sees the velocity.
 INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 {
 	Float4 pose = p->pose[i];

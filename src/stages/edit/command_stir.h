@@ -4,7 +4,8 @@
 #define COMMAND_STIR_H
 #include "stages/edit/asleep.h"
 
-// Returns whether a command wakes a sleeping body. Forces, impulses and velocities of 0 do not.
+// Returns whether a command wakes a sleeping body. Forces, impulses and velocities of 0 do not. A target belongs to a
+// kinematic body, which never sleeps (command_target).
 INLINE int command_stirs(const Pools* p, Command c)
 {
 	int xy = c.value.x != 0.0f || c.value.y != 0.0f;
@@ -27,7 +28,6 @@ INLINE int command_stirs(const Pools* p, Command c)
 	case COMMAND_POSE:
 	case COMMAND_MOTION:
 	case COMMAND_ENABLED:
-	case COMMAND_TARGET:
 		return 1;
 	case COMMAND_AWAKE:
 		return c.whole[0];
@@ -39,7 +39,7 @@ INLINE int command_stirs(const Pools* p, Command c)
 }
 
 // Marks the island of a body that the user changes, and wakes the body itself at once, so that later commands act on
-// it. joined: not 0 for a static or kinematic body with joints; joint_wake then marks the islands at these joints.
+// it. joined: not 0 for a static or kinematic body with joints: joint_wake marks the islands at these joints.
 INLINE void command_stir(const Pools* p, int i, int joined)
 {
 	if (p->sleep[i])

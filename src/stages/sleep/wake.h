@@ -20,13 +20,19 @@ KERNEL(contact_wake)
 		island_wake_both(p, p->contact_bodies[i]);
 }
 
-// Marks the island of a sleeping body that is joined to a static or kinematic body that the user moved.
+// Returns whether a static or kinematic body moves, or was moved by the user.
+INLINE int support_moves(const Pools* p, int i)
+{
+	return p->still[i] == STILL_MOVED || (!body_can_move(p, i) && body_is_moving(p, i));
+}
+
+// Marks the island of a sleeping body that is joined to a static or kinematic body that moves.
 KERNEL(joint_wake)
 {
 	if (!(p->joint_flags[i] & JOINT_ASLEEP))
 		return;
 	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
-	if (p->still[bodies.x] == STILL_MOVED || p->still[bodies.y] == STILL_MOVED)
+	if (support_moves(p, bodies.x) || support_moves(p, bodies.y))
 		island_wake_both(p, bodies);
 }
 

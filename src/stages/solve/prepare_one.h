@@ -5,12 +5,14 @@
 #include "constraints/constraint_kinds.h"
 #include "stages/edit/active.h"
 
-// Clears the counters of finalize, after the host has read those of the last step.
+// Clears the counters of finalize, after the host has read those of the last step. A step of length 0 has no finalize,
+// so `movers` stays that of the step before.
 INLINE void counters_clear(const Pools* p)
 {
 	p->counters->nonfinite = 0;
 	p->counters->held = 0;
-	p->counters->movers = 0;
+	if (p->step.dt > 0.0f)
+		p->counters->movers = 0;
 	p->counters->first_nonfinite = 0x7fffffff;
 }
 

@@ -3,7 +3,10 @@
 #include "world/objects/sleep.h"
 #include "world/edits.h"
 
-float body_sleep_threshold(const HostBody* host) { return host->stays_awake ? -1.0f : host->sleep_threshold; }
+float body_sleep_threshold(const HostBody* host)
+{
+	return host->stays_awake ? -1.0f : host->sleep_threshold + 0.0f; // the sum with 0 turns -0 into 0
+}
 
 void body_note_wake(scree_world* world, int index)
 {
