@@ -11,6 +11,9 @@
 // are solved in chains or one by one.
 #define COLORS     63 // each color is a bit of the pool color_mask, so more colors would need a wider mask
 #define COLOR_NONE (-1)
+// Value of the pool contact_color for a contact of color c that sleeps: it has no constraint, but its bodies keep the bit
+// of the color, so it takes the same color when they wake. COLOR_KEPT(COLOR_KEPT(c)) is c.
+#define COLOR_KEPT(c) (-2 - (c))
 #define COLOR_MASK 0x7fffffffffffffffUL // mask of a body with all colors taken
 #define COLOR_BITS 7 // bits of a color in a sort key; if there are hubs, keys of contacts also contain the hub
 

@@ -14,7 +14,7 @@ typedef struct // pools of a world
 
 static bool moves(const BodyState* body) { return body->vx != 0.0f || body->vy != 0.0f || body->w != 0.0f; }
 
-// Checks a constraint that acts. asleep: its flag; color: COLOR_NONE if it is not solved. Two islands that begin to touch
+// Checks a constraint that acts. asleep: its flag; color: below 0 if it is not solved. Two islands that begin to touch
 // while both sleep are united later; if one wakes before, the contact wakes the other when its bodies have moved.
 static bool constraint_fits(const Sleep* s, const char* kind, int k, Int2 pair, bool asleep, int color,
                             char sentence[256])
@@ -27,7 +27,7 @@ static bool constraint_fits(const Sleep* s, const char* kind, int k, Int2 pair, 
 		fault = "one of them sleeps";
 	else if ((sleep_a || sleep_b) != asleep)
 		fault = asleep ? "it counts as asleep, and no body sleeps" : "a body sleeps, and it counts as awake";
-	else if (asleep == (color != COLOR_NONE))
+	else if (asleep == (color >= 0))
 		fault = asleep ? "a body sleeps, and it is solved" : "they are awake, and it is not solved";
 	else if (asleep && !both && (moves(a) || moves(b)))
 		fault = "one of them moves, and one sleeps";

@@ -26,11 +26,12 @@ typedef struct // constraints of one kind
 	Int2* bodies;
 } Constraints;
 
-// Adds a constraint to the count and the colors of one of its bodies. Returns false if the body can move and already
-// has a constraint of this color.
+// Adds a constraint, or a sleeping contact that keeps its color, to the count and the colors of one of its bodies. Returns
+// false if the body can move and already has a constraint of this color.
 static bool count_end(Counted* counted, int body, int color)
 {
-	counted->touching[body] += 1;
+	counted->touching[body] += color >= 0;
+	color = color < 0 ? COLOR_KEPT(color) : color;
 	if (color >= COLORS || !(counted->state[body].inv_mass > 0.0f))
 		return true;
 	uint64_t bit = (uint64_t)1 << color;
@@ -46,14 +47,14 @@ static bool count_kind(Counted* counted, const Constraints* s, char sentence[256
 	for (int k = 0; k < s->count; ++k)
 	{
 		int color = s->colors[k], place = s->places[k];
-		bool started = color != COLOR_NONE;
+		bool started = color >= 0;
 		if (started ? place < s->layout->begin[color] || place >= s->layout->begin[color + 1] : place >= 0)
 		{
 			snprintf(sentence, 256, "%s %d has color %d and place %d, where that color is not", s->name, k, color,
 			         place);
 			return false;
 		}
-		if (!started)
+		if (color == COLOR_NONE)
 			continue;
 		bool apart = count_end(counted, s->bodies[k].x, color);
 		if (count_end(counted, s->bodies[k].y, color) && apart)
@@ -98,7 +99,7 @@ static bool hubs_fit(const Counted* counted, const Constraints* contacts, char s
 	{
 		int color = contacts->colors[k];
 		Int2 bodies = contacts->bodies[k];
-		if (color == COLOR_NONE || color == COLORS || !(over_limit(counted, bodies.x) || over_limit(counted, bodies.y)))
+		if (color < 0 || color == COLORS || !(over_limit(counted, bodies.x) || over_limit(counted, bodies.y)))
 			continue;
 		int hub = over_limit(counted, bodies.x) ? bodies.x : bodies.y;
 		snprintf(sentence, 256, "contact %d has color %d, but its body %d has %d constraints: it is no spoke", k, color,

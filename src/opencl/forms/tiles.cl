@@ -22,7 +22,7 @@ INLINE bool tile_wanted(const Pools* p, int bound)
 
 INLINE int tile_holds(const Pools* p, int body)
 {
-	return body >= 0 && p->color_mask[body] != 0 && p->body[body].inv_mass > 0.0f;
+	return body >= 0 && p->color_mask[body] != 0 && p->sleep[body] == 0 && p->body[body].inv_mass > 0.0f;
 }
 
 INLINE int tile_body_of(const Pools* p, int leaf)

@@ -172,7 +172,7 @@ KERNEL(contact_mix)
 	if (p->step.material_pairs > 0)
 		surface = rule_surface(rule_materials(p, pair.x, pair.y), surface);
 	int belt = edge_belt(surface.w) - edge_belt(p->contact_surface[i].w);
-	if (p->contact_color[i] != COLOR_NONE && belt != 0)
+	if (p->contact_color[i] >= 0 && belt != 0)
 	{
 		edge_add_belt(p, p->contact_bodies[i], belt);
 		raise_int(&p->counters->belts, 1);

@@ -207,21 +207,21 @@ INLINE int joint_slot_at(const Pools* p, int i)
 }
 
 // Writes the sort key of each slot, and copies the kept values of a constraint from its rows to its slot.
-#define COLOR_KEY(kind, KIND)                                                    \
-	if (FETCHES && i + KEY_SOON < p->counters->arrange[CONSTRAINT_##KIND])       \
-	{                                                                            \
-		int soon = p->kind##_place[kind##_slot_at(p, i + KEY_SOON)];             \
-		if (soon >= 0)                                                           \
-			kind##_fetch_kept(p, soon);                                          \
-	}                                                                            \
-	int slot = kind##_slot_at(p, i), used = slot < p->counters->kind##s;         \
-	int color = used ? p->kind##_color[slot] : COLOR_NONE;                       \
-	int place = used ? p->kind##_place[slot] : -1;                               \
-	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color; \
-	if (color == COLORS)                                                         \
-		name += (Word64)kind##_group(p, slot);                                   \
-	p->key[i] = name << 32 | (Word64)slot;                                       \
-	if (place >= 0)                                                              \
+#define COLOR_KEY(kind, KIND)                                              \
+	if (FETCHES && i + KEY_SOON < p->counters->arrange[CONSTRAINT_##KIND]) \
+	{                                                                      \
+		int soon = p->kind##_place[kind##_slot_at(p, i + KEY_SOON)];       \
+		if (soon >= 0)                                                     \
+			kind##_fetch_kept(p, soon);                                    \
+	}                                                                      \
+	int slot = kind##_slot_at(p, i), used = slot < p->counters->kind##s;   \
+	int color = used ? p->kind##_color[slot] : COLOR_NONE;                 \
+	int place = used ? p->kind##_place[slot] : -1;                         \
+	Word64 name = color < 0 ? color_none(p->argument) : (Word64)color;     \
+	if (color == COLORS)                                                   \
+		name += (Word64)kind##_group(p, slot);                             \
+	p->key[i] = name << 32 | (Word64)slot;                                 \
+	if (place >= 0)                                                        \
 		kind##_keep(p, slot, place);
 
 // Item: a sorted key. Writes the range of keys of each color and hub: first, and one past the last. Sets `scan` to 1 at

@@ -53,14 +53,20 @@ INLINE void edge_count(const Pools* p, int body, int belt)
 		raise_int(&p->counters->gathered, p->counters->contacts);
 }
 
-// Counts and lists a constraint that begins; it gets a color later in the step.
-INLINE void edge_begin(const Pools* p, int edge, Int2 bodies)
+// Counts a constraint that begins.
+INLINE void edge_enter(const Pools* p, int edge, Int2 bodies)
 {
 	int belt = edge_belt_of(p, edge_kind(edge), edge_slot(edge));
 	edge_count(p, bodies.x, belt);
 	edge_count(p, bodies.y, belt);
-	p->began[atomic_add_int(&p->counters->began, 1)] = edge;
 	edge_mark_dirty(p, edge_kind(edge));
+}
+
+// Counts and lists a constraint that begins; it gets a color later in the step.
+INLINE void edge_begin(const Pools* p, int edge, Int2 bodies)
+{
+	edge_enter(p, edge, bodies);
+	p->began[atomic_add_int(&p->counters->began, 1)] = edge;
 }
 
 INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
@@ -72,28 +78,38 @@ INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 	atomic_and_word64(&p->color_mask[bodies.y], others);
 }
 
-// Ends the constraint of slot i of a kind, which has begun; its kept values stay.
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                 \
-	INLINE void kind##_leave(const Pools* p, int i)                       \
-	{                                                                     \
-		int color = p->kind##_color[i];                                   \
-		Int2 bodies = p->kind##_bodies[i];                                \
-		edge_free_color(p, bodies, color);                                \
-		atomic_add_int(&p->touching[bodies.x], -1);                       \
-		atomic_add_int(&p->touching[bodies.y], -1);                       \
-		edge_add_belt(p, bodies, -edge_belt_of(p, CONSTRAINT_##KIND, i)); \
-		p->kind##_color[i] = COLOR_NONE;                                  \
-		p->kind##_place[i] = -1;                                          \
-		atomic_add_int(&p->counters->ended, 1);                           \
-		edge_mark_dirty(p, CONSTRAINT_##KIND);                            \
-	}                                                                     \
-	/* Ends the constraint of slot i, if it has begun. */                 \
-	INLINE void kind##_end(const Pools* p, int i)                         \
-	{                                                                     \
-		if (p->kind##_color[i] == COLOR_NONE)                             \
-			return;                                                       \
-		kind##_leave(p, i);                                               \
-		kind##_forget(p, i);                                              \
+// Ends the constraint of slot i of a kind, which has begun; its kept values stay. keeps: whether a color below COLORS is
+// kept too.
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                         \
+	INLINE void kind##_leave(const Pools* p, int i, int keeps)                                    \
+	{                                                                                             \
+		int color = p->kind##_color[i];                                                           \
+		Int2 bodies = p->kind##_bodies[i];                                                        \
+		keeps = keeps && color < COLORS;                                                          \
+		if (!keeps)                                                                               \
+			edge_free_color(p, bodies, color);                                                    \
+		atomic_add_int(&p->touching[bodies.x], -1);                                               \
+		atomic_add_int(&p->touching[bodies.y], -1);                                               \
+		edge_add_belt(p, bodies, -edge_belt_of(p, CONSTRAINT_##KIND, i));                         \
+		p->kind##_color[i] = keeps ? COLOR_KEPT(color) : COLOR_NONE;                              \
+		p->kind##_place[i] = -1;                                                                  \
+		atomic_add_int(&p->counters->ended, 1);                                                   \
+		edge_mark_dirty(p, CONSTRAINT_##KIND);                                                    \
+	}                                                                                             \
+	/* Ends the constraint of slot i, if it has begun, or gives up the color that it has kept. */ \
+	INLINE void kind##_end(const Pools* p, int i)                                                 \
+	{                                                                                             \
+		int color = p->kind##_color[i];                                                           \
+		if (color == COLOR_NONE)                                                                  \
+			return;                                                                               \
+		if (color < 0)                                                                            \
+		{                                                                                         \
+			edge_free_color(p, p->kind##_bodies[i], COLOR_KEPT(color));                           \
+			p->kind##_color[i] = COLOR_NONE;                                                      \
+			return;                                                                               \
+		}                                                                                         \
+		kind##_leave(p, i, 0);                                                                    \
+		kind##_forget(p, i);                                                                      \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND

@@ -233,6 +233,7 @@ RARE void narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
 	if (!(p->contact_flags[i] & CONTACT_TOUCHING))
 	{
 		p->contact_flags[i] &= ~CONTACT_ASLEEP;
+		contact_end(p, i);
 		if (flags & CONTACT_ASLEEP)
 			contact_forget(p, i);
 		island_wake_parted(p, bodies, flags);

@@ -79,21 +79,35 @@ KERNEL(body_wake)
 	}
 }
 
+// Begins the constraint of a contact whose bodies woke. It has the color that it kept, or gets one later in the step.
+// Colors of an island stay free of conflicts: no constraint of its bodies begins while they sleep.
+INLINE void contact_rise(const Pools* p, int i, Int2 bodies)
+{
+	int edge = edge_of(CONSTRAINT_CONTACT, i), color = p->contact_color[i];
+	if (color == COLOR_NONE)
+	{
+		edge_begin(p, edge, bodies);
+		return;
+	}
+	edge_enter(p, edge, bodies);
+	p->contact_color[i] = COLOR_KEPT(color);
+}
+
 // Ends the constraint of slot i if one of its bodies fell asleep, and keeps its values at the slot; or begins it again
-// if both are awake. begins: statement that begins the constraint.
-#define SLEEP_EDGE(kind, bodies, flags, ASLEEP, begins)   \
-	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y]; \
-	if (sleeps && p->kind##_color[i] != COLOR_NONE)       \
-	{                                                     \
-		if (p->kind##_place[i] >= 0)                      \
-			kind##_keep(p, i, p->kind##_place[i]);        \
-		kind##_leave(p, i);                               \
-		p->kind##_flags[i] = flags | ASLEEP;              \
-	}                                                     \
-	else if (!sleeps && flags & ASLEEP)                   \
-	{                                                     \
-		p->kind##_flags[i] = flags & ~ASLEEP;             \
-		begins;                                           \
+// if both are awake. keeps: whether its color is kept too; begins: statement that begins the constraint.
+#define SLEEP_EDGE(kind, bodies, flags, ASLEEP, keeps, begins) \
+	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y];      \
+	if (sleeps && p->kind##_color[i] >= 0)                     \
+	{                                                          \
+		if (p->kind##_place[i] >= 0)                           \
+			kind##_keep(p, i, p->kind##_place[i]);             \
+		kind##_leave(p, i, keeps);                             \
+		p->kind##_flags[i] = flags | ASLEEP;                   \
+	}                                                          \
+	else if (!sleeps && flags & ASLEEP)                        \
+	{                                                          \
+		p->kind##_flags[i] = flags & ~ASLEEP;                  \
+		begins;                                                \
 	}
 
 KERNEL(contact_sleep)
@@ -104,7 +118,7 @@ KERNEL(contact_sleep)
 	Int2 bodies = p->contact_bodies[i];
 	if (contact_is_live(p, i))
 		active_touch(p, GROUPS_OF_CONTACTS, i);
-	SLEEP_EDGE(contact, bodies, flags, CONTACT_ASLEEP, edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), bodies))
+	SLEEP_EDGE(contact, bodies, flags, CONTACT_ASLEEP, 1, contact_rise(p, i, bodies))
 }
 
 KERNEL(joint_sleep)
@@ -115,7 +129,7 @@ KERNEL(joint_sleep)
 	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
 	// if joints were changed, joint_update begins all joints that have no constraint
 	int begins = joint_wanted(flags) && p->counters->joints_dirty == 0;
-	SLEEP_EDGE(joint, bodies, flags, JOINT_ASLEEP, if (begins) joint_begin(p, i))
+	SLEEP_EDGE(joint, bodies, flags, JOINT_ASLEEP, 0, if (begins) joint_begin(p, i))
 }
 
 // Item: a joint, in a step whose substeps have another length than those of the last step. Scales the impulses of

@@ -12,7 +12,7 @@ KERNEL(hub_enter)
 {
 	int color = p->contact_color[i];
 	Int2 bodies = p->contact_bodies[i];
-	if (color == COLOR_NONE || color == COLORS || !hub_wants(p, bodies))
+	if (color < 0 || color == COLORS || !hub_wants(p, bodies))
 		return;
 	edge_free_color(p, bodies, color);
 	p->contact_color[i] = COLORS;
