@@ -11,11 +11,11 @@
 // are solved in chains or one by one.
 #define COLORS     63 // each color is a bit of the pool color_mask, so more colors would need a wider mask
 #define COLOR_NONE (-1)
-// Value of the pool contact_color for a contact of color c that sleeps: it has no constraint, but its bodies keep the bit
-// of the color, so it takes the same color when they wake. COLOR_KEPT(COLOR_KEPT(c)) is c.
+// Value of the pool contact_color for a contact of color c that sleeps: it has no constraint. Its bodies keep the color's
+// bit, so it takes the same color when they wake. COLOR_KEPT(COLOR_KEPT(c)) is c.
 #define COLOR_KEPT(c) (-2 - (c))
-#define COLOR_MASK 0x7fffffffffffffffUL // mask of a body with all colors taken
-#define COLOR_BITS 7 // bits of a color in a sort key; if there are hubs, keys of contacts also contain the hub
+#define COLOR_MASK    0x7fffffffffffffffUL // mask of a body with all colors taken
+#define COLOR_BITS    7 // bits of a color in a sort key; if there are hubs, keys of contacts also contain the hub
 
 // A body with more constraints than this is a hub. If neither body of a contact is a hub, each has at most 31 other
 // constraints, so at least one of the 63 colors is free on both.

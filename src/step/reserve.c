@@ -57,7 +57,7 @@ static scree_status reserve_kind(Pipeline* pipeline, const KindInfo* kind, Per p
 	TRY(resize(pipeline, kind->places, constraints_of(wanted)));
 	TRY(resize(pipeline, kind->blocks, constraints_of(wanted) / MAX_LANES));
 	TRY(resize(pipeline, PER_EDGE, edges(b) - b->capacity[per] + wanted));
-	return resize(pipeline, PER_KEY, wanted);
+	return resize(pipeline, PER_KEY, b->capacity[PER_EDGE]);
 }
 
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)

@@ -289,7 +289,7 @@ static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 	runs_add(list, info->layout, 0, items, count, bits);
 }
 
-void list_color(Pipeline* pipeline, int bodies, int from, int to)
+void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 {
 	RunList* list = &pipeline->list;
 	const Backend* b = pipeline->backend;
@@ -309,7 +309,15 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to)
 		runs_add(list, KERNEL_color_claim, 0, edges, count, round);
 		runs_add(list, KERNEL_color_assign, 0, edges, count, round);
 	}
-	runs_add(list, KERNEL_color_reset, 0, edges, COUNT(began), 0);
+	if (rest)
+	{
+		int count = to == 0 ? COUNT(began) : COUNT(uncolored) + (to - 1) % MAX_ROUNDS + 1;
+		runs_add(list, KERNEL_color_rank, 0, edges, count, to);
+		runs_add_sort(list, edges, count, 32, 64);
+		runs_add(list, KERNEL_color_greedy, 0, 1, count, to);
+	}
+	if (to > 0)
+		runs_add(list, KERNEL_color_reset, 0, edges, COUNT(began), 0);
 	runs_add(list, KERNEL_color_arrange, 0, 1, COUNT(changed), RUN_PAIR((to - 1) % MAX_ROUNDS + 1, bits));
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		if (kind == CONSTRAINT_CONTACT || kind_items(c, kind) > 0)

@@ -13,7 +13,8 @@ void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies);
 // Lists the runs that wake islands and, in some steps, search for islands and put them to sleep.
 void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request);
 // Lists the coloring rounds `from` to `to` - 1, and the layout, which the device skips if constraints have no color.
-void list_color(Pipeline* pipeline, int bodies, int from, int to);
+// rest: true if one worker then colors the constraints that are left (color_greedy).
+void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest);
 
 // Lists the runs that sort the leaves of a tree. boxes: 0 to sort by the boxes of the step, TREE_QUERIES to sort by the
 // boxes for queries. count: NO_COUNT, or a counter; if it is 0, the runs do nothing.

@@ -6,7 +6,9 @@
 //
 // Each edge has a unique priority. In each round an edge with the highest priority on both of its bodies takes the
 // lowest color that is free on both. The result is that of a sequential greedy coloring by falling priority, for any
-// number of threads. Colors are kept while contacts touch, so usually few edges are colored in a step.
+// number of threads. Colors are kept while contacts touch, so usually few edges are colored in a step. On a CPU, one
+// worker colors the edges that are left after the expected number of rounds (color_greedy): a burst of many edges
+// takes more rounds, in which all workers compete for the same bodies.
 //
 // Constraints with a body that cannot move take the highest free color. Contacts with static bodies are solved last, so
 // that no other contact undoes their result. The contacts of hubs (spoke.h) take no color and no part in the rounds, so
@@ -37,6 +39,12 @@ INLINE Word color_priority(int edge)
 INLINE GLOBAL int* color_left(const Pools* p, int round, int i)
 {
 	return (GLOBAL int*)p->uncolored + 2 * i + (round & 1);
+}
+
+// Returns the counter of the edges that are left after a number of rounds.
+INLINE GLOBAL int* color_count(const Pools* p, int rounds)
+{
+	return p->counters->uncolored + (rounds - 1) % MAX_ROUNDS + 1;
 }
 
 INLINE int color_source(const Pools* p, int i)
@@ -95,37 +103,11 @@ KERNEL(color_claim)
 		atomic_max_word(&claim[bodies.y], priority);
 }
 
-KERNEL(color_assign)
+// Gives an edge the lowest color that is free on both bodies, or the highest one if a body cannot move. mask_a, mask_b:
+// colors of the bodies that can move; 0 for others.
+INLINE void color_take(const Pools* p, int edge, Int2 bodies, int moves_a, int moves_b, Word64 mask_a, Word64 mask_b)
 {
-	int edge = color_source(p, i), round = p->argument;
-	Int2 bodies = edge_bodies(p, edge);
-	if (edge_color(p, edge_kind(edge), edge_slot(edge)) == COLORS)
-		return;
-	if (color_spoke(p, edge, bodies))
-	{
-		edge_set_color(p, edge, COLORS);
-		raise_int(&p->counters->entered, 1);
-		return;
-	}
-	Word priority = color_priority(edge);
-	GLOBAL Word* claim = round & 1 ? p->claim1 : p->claim0;
-	GLOBAL Word* next_claim = round & 1 ? p->claim0 : p->claim1;
-	int moves_a = p->body[bodies.x].inv_mass > 0.0f, moves_b = p->body[bodies.y].inv_mass > 0.0f;
-	Word64 mask_a = moves_a ? read_shared_word64(&p->color_mask[bodies.x]) : (Word64)0;
-	Word64 mask_b = moves_b ? read_shared_word64(&p->color_mask[bodies.y]) : (Word64)0;
-	Word64 free = ~(mask_a | mask_b) & (Word64)COLOR_MASK;
-	if ((moves_a && claim[bodies.x] != priority) || (moves_b && claim[bodies.y] != priority))
-	{
-		// clears the claims of the previous round, because the next round uses the same pool
-		if (moves_a)
-			write_shared_word(&next_claim[bodies.x], 0);
-		if (moves_b)
-			write_shared_word(&next_claim[bodies.y], 0);
-		int place = atomic_add_int(&p->counters->uncolored[round % MAX_ROUNDS + 1], 1);
-		*color_left(p, round, place) = edge;
-		return;
-	}
-	Word64 early = free & (Word64)COLOR_MASK >> STATIC_COLORS;
+	Word64 free = ~(mask_a | mask_b) & (Word64)COLOR_MASK, early = free & (Word64)COLOR_MASK >> STATIC_COLORS;
 	if (early != 0 && !color_holds(p, edge))
 		free = early;
 	Word64 bit = moves_a && moves_b ? free & (~free + (Word64)1) : (Word64)1 << (63 - leading_zeros(free));
@@ -134,6 +116,87 @@ KERNEL(color_assign)
 		write_shared_word64(&p->color_mask[bodies.x], mask_a | bit);
 	if (moves_b)
 		write_shared_word64(&p->color_mask[bodies.y], mask_b | bit);
+}
+
+INLINE void color_enter(const Pools* p, int edge)
+{
+	edge_set_color(p, edge, COLORS);
+	raise_int(&p->counters->entered, 1);
+}
+
+KERNEL(color_assign)
+{
+	int edge = color_source(p, i), round = p->argument;
+	Int2 bodies = edge_bodies(p, edge);
+	if (edge_color(p, edge_kind(edge), edge_slot(edge)) == COLORS)
+		return;
+	if (color_spoke(p, edge, bodies))
+	{
+		color_enter(p, edge);
+		return;
+	}
+	Word priority = color_priority(edge);
+	GLOBAL Word* claim = round & 1 ? p->claim1 : p->claim0;
+	GLOBAL Word* next_claim = round & 1 ? p->claim0 : p->claim1;
+	int moves_a = p->body[bodies.x].inv_mass > 0.0f, moves_b = p->body[bodies.y].inv_mass > 0.0f;
+	Word64 mask_a = moves_a ? read_shared_word64(&p->color_mask[bodies.x]) : (Word64)0;
+	Word64 mask_b = moves_b ? read_shared_word64(&p->color_mask[bodies.y]) : (Word64)0;
+	if ((moves_a && claim[bodies.x] != priority) || (moves_b && claim[bodies.y] != priority))
+	{
+		// clears the claims of the previous round, because the next round uses the same pool
+		if (moves_a)
+			write_shared_word(&next_claim[bodies.x], 0);
+		if (moves_b)
+			write_shared_word(&next_claim[bodies.y], 0);
+		int place = atomic_add_int(color_count(p, round + 1), 1);
+		*color_left(p, round, place) = edge;
+		return;
+	}
+	color_take(p, edge, bodies, moves_a, moves_b, mask_a, mask_b);
+}
+
+// Item: an edge without a color. Writes a key that sorts the edges by falling priority. argument: number of rounds that
+// have run.
+KERNEL(color_rank)
+{
+	int edge = color_source(p, i);
+	p->key[i] = (Word64)~color_priority(edge) << 32 | (Word64)(Word)edge;
+}
+
+#define COLOR_SOON 8 // prefetch distance, in edges
+
+// Item: one. Colors the edges of color_rank in the order of their keys. The colors are those of further rounds, in which
+// an edge waits for the edges of higher priority at its bodies. argument: number of rounds that have run.
+KERNEL(color_greedy)
+{
+	GLOBAL int* left = p->argument == 0 ? &p->counters->began : color_count(p, p->argument);
+	int count = *left;
+	for (int k = 0; k < count; ++k)
+	{
+		int edge = (int)(Word)p->key[k];
+		Int2 bodies = edge_bodies(p, edge);
+		if (FETCHES && k + COLOR_SOON < count)
+		{
+			Int2 soon = edge_bodies(p, (int)(Word)p->key[k + COLOR_SOON]);
+			fetch_soon(p->color_mask + soon.x);
+			fetch_soon(p->color_mask + soon.y);
+			fetch_soon(p->body + soon.x);
+			fetch_soon(p->body + soon.y);
+		}
+		if (color_overflows(p, edge, bodies))
+			edge_set_color(p, edge, COLORS);
+		else if (color_spoke(p, edge, bodies))
+			color_enter(p, edge);
+		else
+		{
+			int moves_a = p->body[bodies.x].inv_mass > 0.0f, moves_b = p->body[bodies.y].inv_mass > 0.0f;
+			color_take(p, edge, bodies, moves_a, moves_b, moves_a ? p->color_mask[bodies.x] : (Word64)0,
+			           moves_b ? p->color_mask[bodies.y] : (Word64)0);
+		}
+	}
+	if (p->argument > 0)
+		*left = 0;
+	(void)i;
 }
 
 // After MAX_ROUNDS rounds, moves the count of the last round to the first entry and clears the other counts.
