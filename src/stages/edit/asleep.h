@@ -18,11 +18,14 @@ INLINE int body_is_moving(const Pools* p, int i)
 // Returns the number of the island of a sleeping body; -1 for an awake body.
 INLINE int body_island(const Pools* p, int i) { return (p->sleep[i] & SLEEP_ISLAND) - 1; }
 
+// Returns the time of rest of a body, or STILL_*. Other work-items may clear STILL_MADE at the same time (island_wake).
+INLINE float body_still(const Pools* p, int i) { return bits_float(read_shared((GLOBAL int*)p->still + i)); }
+
 // Marks the island of a sleeping body. strength: WAKE_*.
 INLINE void island_wake(const Pools* p, int i, int strength)
 {
-	if (p->still[i] == STILL_MADE)
-		p->still[i] = 0.0f;
+	if (body_still(p, i) == STILL_MADE)
+		write_shared_word((GLOBAL Word*)p->still + i, 0); // the bits of 0.0f
 	raise_int(p->wake + body_island(p, i), strength);
 	raise_int(&p->counters->woken, 0x7fffffff);
 }
@@ -31,7 +34,7 @@ INLINE void island_wake(const Pools* p, int i, int strength)
 INLINE int body_mark(const Pools* p, int i)
 {
 	int island = body_island(p, i);
-	return island < 0 || p->still[i] == STILL_MADE ? 0 : read_shared(p->wake + island);
+	return island < 0 || body_still(p, i) == STILL_MADE ? 0 : read_shared(p->wake + island);
 }
 
 // Returns whether a body sleeps, and is not marked to wake.
@@ -52,16 +55,16 @@ INLINE void island_wake_parted(const Pools* p, Int2 bodies, Word flags)
 {
 	if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
 		return;
-	if (p->sleep[bodies.x] && p->still[bodies.x] != STILL_MADE)
+	if (p->sleep[bodies.x] && body_still(p, bodies.x) != STILL_MADE)
 		island_wake(p, bodies.x, WAKE_WORLD);
-	if (p->sleep[bodies.y] && p->still[bodies.y] != STILL_MADE)
+	if (p->sleep[bodies.y] && body_still(p, bodies.y) != STILL_MADE)
 		island_wake(p, bodies.y, WAKE_WORLD);
 }
 
 // Wakes the island of a body that the user destroys.
 INLINE void body_gone_wake(const Pools* p, int i)
 {
-	if (p->sleep[i] && p->still[i] != STILL_MADE)
+	if (p->sleep[i] && body_still(p, i) != STILL_MADE)
 		island_wake(p, i, WAKE_USER);
 }
 

@@ -23,7 +23,7 @@ KERNEL(contact_wake)
 // Returns whether a static or kinematic body moves, or was moved by the user.
 INLINE int support_moves(const Pools* p, int i)
 {
-	return p->still[i] == STILL_MOVED || (!body_can_move(p, i) && body_is_moving(p, i));
+	return body_still(p, i) == STILL_MOVED || (!body_can_move(p, i) && body_is_moving(p, i));
 }
 
 // Marks the island of a sleeping body that is joined to a static or kinematic body that moves.
