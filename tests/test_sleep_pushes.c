@@ -153,9 +153,59 @@ static void changes_of_joints_wake_bodies(void** state)
 	close_sleepers(world);
 }
 
+static scree_joint soft_joint; // joint of the body of settings_in_each_step with the world
+
+static void set_same(scree_world* world, scree_body body)
+{
+	scree_tuning tuning;
+	scree_vec gravity;
+	scree_filter filter;
+	scree_collidable part = collidable_of(world, body);
+	scree_attribute attribute;
+	scree_material_pair pair = scree_material_pair_default();
+	pair.friction = 0.3f;
+	OK(scree_world_get_tuning(world, &tuning));
+	OK(scree_world_set_tuning(world, &tuning));
+	OK(scree_world_get_gravity(world, &gravity));
+	OK(scree_world_set_gravity(world, gravity));
+	OK(scree_world_set_material_pair(world, 1, 2, &pair));
+	OK(scree_body_set_damping(world, body, 0.5f, 0.25f));
+	OK(scree_body_set_gravity_scale(world, body, 0.75f));
+	OK(scree_body_set_locks(world, body, SCREE_LOCK_X));
+	OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
+	OK(scree_body_set_enabled(world, body, true));
+	OK(scree_collidable_get_filter(world, part, &filter));
+	OK(scree_collidable_set_filter(world, part, filter));
+	OK(scree_collidable_get_attribute(world, part, &attribute));
+	OK(scree_collidable_set_attribute(world, part, attribute));
+	OK(scree_joint_set_stiffness(world, soft_joint, 5.0f, 2.0f));
+	OK(scree_joint_set_thresholds(world, soft_joint, 100.0f, 200.0f, true));
+	OK(scree_joint_set_frames(world, soft_joint, upright_at(0.0f, 0.5f), upright_at(0.0f, 0.0f)));
+	OK(scree_joint_set_enabled(world, soft_joint, true));
+	OK(scree_joint_set_collide_connected(world, soft_joint, true));
+}
+
+// A program may set the same settings before each step: they wake nothing, and a body falls asleep in spite of them.
+static void settings_in_each_step(void** state)
+{
+	(void)state;
+	scree_world* world = open_sleepers(-10.0f);
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f);
+	scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, NOBODY, body, 0.0f, 0.5f, 0.0f);
+	soft_joint = add_joint(world, &def);
+	for (int k = 0; k < MOST_STEPS + 20; ++k)
+	{
+		set_same(world, body);
+		run_steps(world, 1);
+	}
+	assert_false(is_awake(world, body));
+	close_sleepers(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(changes_wake_islands), cmocka_unit_test(joints_drag_sleepers),
-	                                   cmocka_unit_test(changes_of_joints_wake_bodies)};
+	                                   cmocka_unit_test(changes_of_joints_wake_bodies),
+	                                   cmocka_unit_test(settings_in_each_step)};
 	return RUN_SLEEPERS(tests);
 }

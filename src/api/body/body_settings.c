@@ -92,8 +92,11 @@ scree_status scree_body_set_damping(scree_world* world, scree_body body, float l
 	TRY(lookup_to_set(world, function, body, 1, &index));
 	TRY(check_linear_damping((ArgumentPlace){function, "linear", ALONE}, "", linear));
 	TRY(check_angular_damping((ArgumentPlace){function, "angular", ALONE}, "", angular));
-	world->host_bodies[index].values.linear_damping = linear;
-	world->host_bodies[index].values.angular_damping = angular;
+	HostBody* host = world->host_bodies + index;
+	if (host->values.linear_damping == linear && host->values.angular_damping == angular)
+		return SCREE_OK; // so that a call in each step keeps no body awake
+	host->values.linear_damping = linear;
+	host->values.angular_damping = angular;
 	body_send_motion(world, index);
 	return SCREE_OK;
 }
@@ -117,6 +120,8 @@ scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, f
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 1, &index));
 	TRY(check_gravity_scale((ArgumentPlace){function, "scale", ALONE}, "", scale));
+	if (world->host_bodies[index].values.gravity_scale == scale)
+		return SCREE_OK;
 	world->host_bodies[index].values.gravity_scale = scale;
 	body_send_motion(world, index);
 	return SCREE_OK;
@@ -138,6 +143,8 @@ scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t 
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 3, &index));
 	TRY(check_locks((ArgumentPlace){function, "locks", ALONE}, "", locks));
+	if (world->host_bodies[index].locks == locks)
+		return SCREE_OK;
 	mass_settle(world);
 	world->host_bodies[index].locks = locks;
 	mass_set(world, index, world->host_bodies[index].mass);

@@ -128,6 +128,9 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	TRY(world_check(world, function));
 	int index = 0;
 	TRY(check_collidable(world, (ArgumentPlace){function, "collidable", ALONE}, collidable, &index));
+	scree_filter old = world->host_collidables[index].filter;
+	if (old.category == filter.category && old.mask == filter.mask && old.group == filter.group)
+		return SCREE_OK; // so that a call in each step keeps no body awake
 	TRY(edits_reserve(world, function, 0, 1, 1));
 	TRY(mark_tree(world, index));
 	body_note_wake(world, world->host_collidables[index].body);

@@ -56,6 +56,8 @@ scree_status scree_world_set_material_pair(scree_world* world, int material_a, i
 		row.restitution = row.sets & MATERIAL_RESTITUTION ? def->restitution + 0.0f : 0.0f;
 		row.tangent_speed = row.sets & MATERIAL_SPEED ? 0.0f - def->tangent_speed : 0.0f;
 	}
+	if (!material_changes(world, material_a, material_b, &row))
+		return SCREE_OK; // so that a call in each step keeps no body awake
 	TRY(world_set_awake(world, true));
 	return material_set(world, function, material_a, material_b, row);
 }

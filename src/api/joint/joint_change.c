@@ -47,11 +47,12 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		bool disabled = def->disabled;
 		set(change, value, values, k, def);
 		const JointEdit after = joint_edit(world, index);
-		world->host_joints[index].seeks |= change->moves;
+		bool same = before.flags == after.flags && memcmp(&before.data, &after.data, sizeof after.data) == 0;
+		world->host_joints[index].seeks |= change->moves && !same;
 		if (change->moves)
 			joint_anchors(world, index);
 		// a value that is set again, for instance in each step, wakes nothing
-		if (change->moves || before.flags != after.flags || memcmp(&before.data, &after.data, sizeof after.data) != 0)
+		if (!same)
 			joint_changed(world, index, def->disabled != disabled);
 		else
 			joint_resend(world, index, false);

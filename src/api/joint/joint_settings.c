@@ -8,12 +8,20 @@
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
 #include <float.h>
+#include <string.h>
 
 static scree_status lookup(scree_world* world, const char* function, scree_joint joint, int* index)
 {
 	TRY(world_check(world, function));
 	TRY(check_joint(world, (ArgumentPlace){function, "joint", ALONE}, joint, index));
 	return edits_reserve(world, function, 0, 0, JOINT_COMMANDS);
+}
+
+// Records the change of a joint, unless its definition is as before, so that a call in each step keeps no body awake.
+static void record(scree_world* world, int index, const scree_joint_def* before)
+{
+	if (memcmp(before, &world->host_joints[index].def, sizeof *before) != 0)
+		joint_changed(world, index, false);
 }
 
 scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz, float damping_ratio)
@@ -24,9 +32,10 @@ scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, fl
 	TRY(lookup(world, function, joint, &index));
 	TRY(check_real((ArgumentPlace){function, "hertz", ALONE}, "", hertz, 0.0f, 1e6f));
 	TRY(check_real((ArgumentPlace){function, "damping_ratio", ALONE}, "", damping_ratio, 0.0f, 1e6f));
+	const scree_joint_def before = world->host_joints[index].def;
 	world->host_joints[index].def.hertz = hertz;
 	world->host_joints[index].def.damping_ratio = damping_ratio;
-	joint_changed(world, index, false);
+	record(world, index, &before);
 	return SCREE_OK;
 }
 
@@ -47,8 +56,9 @@ scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float 
 	int index = 0;
 	TRY(lookup_coupling(world, function, joint, &index));
 	TRY(check_gear_ratio((ArgumentPlace){function, "ratio", ALONE}, "", ratio));
+	const scree_joint_def before = world->host_joints[index].def;
 	world->host_joints[index].def.ratio = ratio;
-	joint_changed(world, index, false);
+	record(world, index, &before);
 	return SCREE_OK;
 }
 
@@ -60,9 +70,10 @@ scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_
 	TRY(lookup_coupling(world, function, joint, &index));
 	TRY(check_pose((ArgumentPlace){function, "base_a", ALONE}, "", &base_a));
 	TRY(check_pose((ArgumentPlace){function, "base_b", ALONE}, "", &base_b));
+	const scree_joint_def before = world->host_joints[index].def;
 	world->host_joints[index].def.sides[0].base = base_a;
 	world->host_joints[index].def.sides[1].base = base_b;
-	joint_changed(world, index, false);
+	record(world, index, &before);
 	return SCREE_OK;
 }
 
@@ -76,10 +87,11 @@ scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, f
 	TRY(check_real((ArgumentPlace){function, "force", ALONE}, "", force, 0.0f, FLT_MAX));
 	TRY(check_real((ArgumentPlace){function, "torque", ALONE}, "", torque, 0.0f, FLT_MAX));
 	HostJoint* host = world->host_joints + index;
+	const scree_joint_def before = host->def;
 	host->def.force_threshold = force;
 	host->def.torque_threshold = torque;
 	host->def.can_break = can_break;
-	joint_changed(world, index, false);
+	record(world, index, &before);
 	return SCREE_OK;
 }
 
@@ -88,8 +100,9 @@ scree_status scree_joint_set_elliptic(scree_world* world, scree_joint joint, boo
 	FLOAT_MODE_HERE;
 	int index = 0;
 	TRY(lookup(world, "scree_joint_set_elliptic", joint, &index));
+	const scree_joint_def before = world->host_joints[index].def;
 	world->host_joints[index].def.elliptic = elliptic;
-	joint_changed(world, index, false);
+	record(world, index, &before);
 	return SCREE_OK;
 }
 
@@ -98,8 +111,9 @@ scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint j
 	FLOAT_MODE_HERE;
 	int index = 0;
 	TRY(lookup(world, "scree_joint_set_collide_connected", joint, &index));
+	const scree_joint_def before = world->host_joints[index].def;
 	world->host_joints[index].def.collide_connected = collides;
-	joint_changed(world, index, false);
+	record(world, index, &before);
 	return SCREE_OK;
 }
 

@@ -6,6 +6,7 @@
 #include "world/tuning_members.h"
 #include "world/upload/whole_sleep.h"
 #include "world/world.h"
+#include <string.h>
 
 scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size)
 {
@@ -30,15 +31,19 @@ scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuni
 	scree_tuning local;
 	tuning = definition_at(tuning, 0, &tuning_definition, &local);
 	TRY(check_tuning(at, tuning));
+	scree_world_def wanted = world->def;
+	wanted.contact_hertz = tuning->contact_hertz;
+	wanted.contact_damping_ratio = tuning->contact_damping_ratio;
+	wanted.contact_push_speed = tuning->contact_push_speed;
+	wanted.restitution_threshold = tuning->restitution_threshold;
+	wanted.max_speed = tuning->max_speed;
+	wanted.sleep = tuning->sleep;
+	wanted.sleep_threshold = tuning->sleep_threshold;
+	if (memcmp(&wanted, &world->def, sizeof wanted) == 0)
+		return SCREE_OK; // so that a call in each step keeps no body awake
 	TRY(world_set_awake(world, true));
-	world->def.contact_hertz = tuning->contact_hertz;
-	world->def.contact_damping_ratio = tuning->contact_damping_ratio;
-	world->def.contact_push_speed = tuning->contact_push_speed;
-	world->def.restitution_threshold = tuning->restitution_threshold;
-	world->def.max_speed = tuning->max_speed;
 	world->pipeline.sleeps |=
 	    world->def.sleep; // bodies that were created asleep since the last step wake in the next one
-	world->def.sleep = tuning->sleep;
-	world->def.sleep_threshold = tuning->sleep_threshold;
+	world->def = wanted;
 	return SCREE_OK;
 }

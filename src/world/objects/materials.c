@@ -16,14 +16,17 @@ MaterialPair material_row(const scree_world* world, int a, int b)
 	return place < world->pipeline.material_pairs ? world->materials.rows[place] : (MaterialPair){0};
 }
 
+bool material_changes(const scree_world* world, int a, int b, MaterialPair* row)
+{
+	MaterialPair old = material_row(world, a, b);
+	flush_row(&row->friction, 3);
+	return memcmp(&old, row, sizeof old) != 0;
+}
+
 scree_status material_set(scree_world* world, const char* function, int a, int b, MaterialPair row)
 {
 	Materials* m = &world->materials;
 	Pipeline* pipeline = &world->pipeline;
-	flush_row(&row.friction, 3);
-	MaterialPair old = material_row(world, a, b);
-	if (memcmp(&old, &row, sizeof row) == 0)
-		return SCREE_OK;
 	int high = a < b ? b : a, rows = MATERIAL_PLACE(high, high) + 1;
 	if (rows > pipeline->material_pairs)
 	{

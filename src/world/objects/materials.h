@@ -7,7 +7,10 @@
 // Returns the row of a pair of materials, in any order. All values are zero if the pair was never set.
 MaterialPair material_row(const scree_world* world, int a, int b);
 
-// Sets the row of a pair of materials, and marks it for the next upload.
+// Returns whether a row differs from that of a pair of materials. Sets tiny values of the row to 0.
+bool material_changes(const scree_world* world, int a, int b, MaterialPair* row);
+
+// Sets the row of a pair of materials after material_changes, and marks it for the next upload.
 scree_status material_set(scree_world* world, const char* function, int a, int b, MaterialPair row);
 
 scree_status upload_materials(scree_world* world);
