@@ -265,6 +265,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 		count_quiet(pipeline);
 	pipeline->sleeps = request->sleep;
 	pipeline->listed = step.sleep;
+	pipeline->collidables = request->collidables;
 	pipeline->settles = pipeline->settles && request->dt == 0.0f;
 	pipeline->jumps = false;
 	pipeline->reverted = false;

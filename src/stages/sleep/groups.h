@@ -46,13 +46,21 @@ INLINE int group_item_is_live(const Pools* p, int kind, int i)
 	                                       : contact_is_live(p, i);
 }
 
-// Item: a key of touched.c: the kind and the number of a group that the user changed. Ends its rest. argument: 1 if the
-// user changed a collidable, so that contacts in groups that rest may end; contact_touch finds these.
+// Returns whether contacts of a collidable may rest: all contacts of an awake body are in active groups.
+INLINE int collidable_may_rest(const Pools* p, int i)
+{
+	int body = p->collidable_body[i];
+	return p->collidable_kind[i] != KIND_DEAD && !(body > 0 && body_can_move(p, body) && body_is_live(p, body));
+}
+
+// Item: a key of touched.c, before an upload. Ends the rest of a group that the user changes. If contacts of a collidable
+// that the user changes or destroys may rest, requests contact_touch, which finds them.
 KERNEL(group_touch)
 {
-	int kind = (int)(p->key[i] >> 32), group = (int)(p->key[i] & (Word64)0xffffffffu);
-	active_touch(p, kind, group << GROUP_BITS);
-	if (p->argument)
+	int kind = (int)(p->key[i] >> 32), number = (int)(p->key[i] & (Word64)0xffffffffu);
+	if (kind < GROUP_KINDS)
+		active_touch(p, kind, number << GROUP_BITS);
+	else if (collidable_may_rest(p, number))
 		raise_int(&p->counters->touched, 0x7fffffff);
 }
 

@@ -20,6 +20,18 @@ static scree_status add(scree_world* world, int kind, int item)
 	return SCREE_OK;
 }
 
+// Adds a collidable that the user changes or destroys, and its group.
+static scree_status add_collidable(scree_world* world, int index)
+{
+	Touched* t = &world->touched;
+	TRY(add(world, GROUPS_OF_COLLIDABLES, index));
+	if (index >= world->pipeline.collidables) // it is new, and its slot had no other collidable
+		return SCREE_OK;
+	TRY(GROW("scree_world_step", t->keys, t->capacity, t->count + 1));
+	t->keys[t->count++] = (Word64)GROUP_KINDS << 32 | (Word64)index;
+	return SCREE_OK;
+}
+
 static scree_status add_body(scree_world* world, int index)
 {
 	TRY(add(world, GROUPS_OF_BODIES, index));
@@ -40,19 +52,11 @@ scree_status touched_collect(scree_world* world)
 	for (int k = 0; k < p->body_count; ++k)
 		TRY(add_body(world, p->bodies[k].index));
 	for (int k = 0; k < p->collidable_count; ++k)
-		TRY(add(world, GROUPS_OF_COLLIDABLES, p->collidables[k].index));
+		TRY(add_collidable(world, p->collidables[k].index));
 	for (int k = 0; k < p->command_count; ++k)
 		TRY(p->commands[k].kind < COMMAND_PLACE ? add_body(world, p->commands[k].index)
-		                                        : add(world, GROUPS_OF_COLLIDABLES, p->commands[k].index));
+		                                        : add_collidable(world, p->commands[k].index));
 	return pipeline_reserve(&world->pipeline, PER_KEY, t->count);
-}
-
-static bool changes_collidable(const Edits* p)
-{
-	bool found = p->collidable_count > 0;
-	for (int k = 0; k < p->command_count && !found; ++k)
-		found = p->commands[k].kind >= COMMAND_PLACE;
-	return found;
 }
 
 scree_status touched_upload(scree_world* world)
@@ -60,10 +64,7 @@ scree_status touched_upload(scree_world* world)
 	Touched* t = &world->touched;
 	Backend* b = world->backend;
 	Step step = {0};
-	Run run = {.kernel_id = KERNEL_group_touch,
-	           .end = t->count,
-	           .count = NO_COUNT,
-	           .argument = changes_collidable(&world->edits)};
+	Run run = {.kernel_id = KERNEL_group_touch, .end = t->count, .count = NO_COUNT};
 	if (t->count == 0)
 		return SCREE_OK;
 	TRY(b->f->write(b, POOL_key, 0, t->count, t->keys));

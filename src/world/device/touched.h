@@ -4,7 +4,8 @@
 #define TOUCHED_H
 #include "scree/scree.h"
 
-// Collects the groups of all pending edits. The caller uploads the edits afterwards, then calls touched_upload.
+// Collects the groups and the collidables of all pending edits. The caller then calls touched_upload, which reads the
+// state of these collidables, before it uploads the edits.
 scree_status touched_collect(scree_world* world);
 scree_status touched_upload(scree_world* world);
 

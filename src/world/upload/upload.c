@@ -145,12 +145,12 @@ static scree_status upload_all(scree_world* world, bool steps)
 	TRY(touched_collect(world));
 	TRY(reserve(world, &demand, &memory)); // reserves all memory first, so that a failure leaves the device unchanged
 	world->pipeline.jumps |= places(&world->edits);
+	TRY(touched_upload(world));
 	TRY(upload_attributes(world, memory));
 	TRY(upload_long_runs(world, memory));
 	TRY(upload_commands(world, demand.commands, memory));
 	TRY(upload_paths(world));
 	TRY(upload_joints(world, memory));
-	TRY(touched_upload(world));
 	clear(world);
 	return SCREE_OK;
 }
