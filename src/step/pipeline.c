@@ -66,6 +66,7 @@ static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status w
 	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
 	pipeline->trees[0].touched = pipeline->trees[1].touched = true;
 	pipeline->trees[0].seen = pipeline->trees[1].seen = false;
+	pipeline->trees[0].boxed = 0;
 	pipeline->reverted = true;
 	scree_status status = pipeline_run(pipeline, step);
 	pipeline->started = status != SCREE_OK;
@@ -283,6 +284,7 @@ void pipeline_move(Pipeline* pipeline, Backend* backend)
 		memset(&state->sent, -1, sizeof state->sent); // no tree has these bytes, so the next upload writes the tree
 		state->touched = true;
 		state->seen = false;
+		state->boxed = 0;
 	}
 	pipeline->named = pipeline->named_bodies = 0;
 	pipeline->split = false; // the pools of spokes have the role DERIVED, so they were not copied

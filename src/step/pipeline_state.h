@@ -16,8 +16,10 @@ typedef struct // state of the host for one tree of the broad phase; see tree_ma
 	bool ordered;     // the current step sorts the leaves because boxes are expected to jump
 	bool touched;     // boxes or positions of leaves or nodes changed, so the next step recomputes all boxes of nodes
 	bool seen;        // the boxes for queries match the current poses
-	int appended;     // number of leaves appended since the leaves were last sorted
-	int* left;        // collidables destroyed or moved to the other tree since the leaves were last sorted
+	// Pipeline.steps plus 1 when the boxes for queries were last computed; 0 if the leaves have changed since
+	int64_t boxed;
+	int appended; // number of leaves appended since the leaves were last sorted
+	int* left;    // collidables destroyed or moved to the other tree since the leaves were last sorted
 	int left_count, left_capacity;
 	bool shrunk; // `left` is incomplete because it could not or should not grow
 } TreeState;

@@ -23,6 +23,29 @@ static void list_refit(Pipeline* pipeline, int t, bool ways)
 		runs_add(list, KERNEL_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, RUN_PAIR(t, level));
 }
 
+// Lists the runs that compute the boxes for queries of the collidables in active groups, and of the nodes above them.
+static void list_refit_active(Pipeline* pipeline, bool ways)
+{
+	RunList* list = &pipeline->list;
+	const Tree* tree = &pipeline->trees[0].tree;
+	runs_add_single(list, KERNEL_query_stale_none);
+	runs_add(list, KERNEL_query_leaf_active, 0, group_items(pipeline->collidables),
+	         COUNT(active_items) + GROUPS_OF_COLLIDABLES, ways ? TREE_PATHS : 0);
+	for (int level = 1; level <= tree->top; ++level)
+		runs_add(list, KERNEL_query_node, 0, tree->count[level], COUNT(stale_nodes) + level,
+		         RUN_PAIR(TREE_STALE_ONLY, level));
+}
+
+// Returns whether all boxes for queries that may be out of date belong to collidables in active groups: groups rest 8
+// steps after their last change at the earliest, and the boxes were computed later than 8 steps ago. The step after a
+// change of the leaves writes the pool leaf_place.
+static bool rest_is_boxed(const Pipeline* pipeline, int t)
+{
+	const TreeState* state = &pipeline->trees[t];
+	return t == 0 && pipeline->sleeps && pipeline->listed && !pipeline->reverted && !state->touched &&
+	       state->boxed > 0 && pipeline->steps + 1 - state->boxed < SLEEP_STEPS;
+}
+
 // Sorts the leaves of a tree, which are in the order of creation until a step or a query has sorted them.
 static scree_status order(Pipeline* pipeline, int t)
 {
@@ -48,9 +71,13 @@ static scree_status refit(Pipeline* pipeline, bool ways)
 			continue;
 		if (state->tree.leaves > ARITY && state->appended > state->tree.leaves / APPENDED_SHARE)
 			TRY(order(pipeline, t));
-		list_refit(pipeline, t, moves);
+		if (rest_is_boxed(pipeline, t))
+			list_refit_active(pipeline, moves);
+		else
+			list_refit(pipeline, t, moves);
 		TRY(pipeline_run(pipeline, &pipeline->step));
 		state->seen = !moves;
+		state->boxed = pipeline->steps + 1;
 	}
 	return SCREE_OK;
 }

@@ -18,6 +18,7 @@ static void touch(TreeState* state)
 {
 	state->touched = true;
 	state->seen = false;
+	state->boxed = 0;
 }
 
 int tree_padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
@@ -55,6 +56,7 @@ static scree_status tree_layout(Pipeline* pipeline, int t)
 		return SCREE_OK;
 	state->sent = *tree;
 	state->touched = true; // nodes have other positions if the number of leaves has changed
+	state->boxed = 0;
 	return b->f->write(b, POOL_tree, t, 1, tree);
 }
 
@@ -191,6 +193,7 @@ scree_status tree_ordered(Pipeline* pipeline, int t)
 	state->appended = 0;
 	state->outliers = 0;
 	state->seen = false;
+	state->boxed = 0;
 	if (!state->shrunk && state->left_count == 0)
 		return SCREE_OK;
 	for (int k = 0; k < pipeline->member_capacity && state->shrunk; ++k)

@@ -34,44 +34,74 @@ INLINE int query_holds(const Pools* p, int k, WorldShape at)
 	return shift <= 0.5f * SPECULATIVE_DISTANCE && !box_is_empty(p->box[k]);
 }
 
-// Writes the row and the box of a leaf. argument: the tree, and TREE_* bits.
+// Writes the row and the box of the leaf of collidable k. place: number of the leaf; kind: kind of the collidable.
+INLINE void query_leaf_write(const Pools* p, const GLOBAL Tree* tree, int place, int k, int kind)
+{
+	WorldShape at = collidable_place(p, k);
+	Filter filter = p->filter[k];
+	Float4 box;
+	float out = absolute(at.x) + absolute(at.y);
+	if (!(p->argument & TREE_STALE) && query_holds(p, k, at))
+		box = box_grow(p->box[k], QUERY_SPACING * out);
+	else if (p->argument & TREE_PATHS)
+		box = query_way_box(p, k, at);
+	else
+		box = world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
+	QueryLeaf seen;
+	seen.x = at.x;
+	seen.y = at.y;
+	seen.c = at.c;
+	seen.s = at.s;
+	seen.attribute = at.attribute;
+	seen.body = at.body;
+	seen.collidable = k;
+	seen.kinds =
+	    (kind & KIND_SENSOR ? LEAF_SENSOR : 1u << (kind - 1)) | (filter.category && filter.mask ? LEAF_LISTENS : 0u);
+	p->query_leaf_row[tree->leaf_begin + place] = seen;
+	box_pack(p->query_box, tree->begin[0] + place, box);
+}
+
+// Item: a leaf. argument: the tree, and TREE_* bits.
 KERNEL(query_leaf)
 {
 	int t = p->argument & 1;
 	const GLOBAL Tree* tree = p->tree + t;
-	Float4 box = box_empty();
-	if (i < tree->leaves)
-	{
-		int k = p->leaf[tree->leaf_begin + i], kind = p->collidable_kind[k];
-		if (kind != KIND_DEAD && tree_of_kind(kind) == t)
-		{
-			WorldShape at = collidable_place(p, k);
-			Filter filter = p->filter[k];
-			float out = absolute(at.x) + absolute(at.y);
-			if (!(p->argument & TREE_STALE) && query_holds(p, k, at))
-				box = box_grow(p->box[k], QUERY_SPACING * out);
-			else if (p->argument & TREE_PATHS)
-				box = query_way_box(p, k, at);
-			else
-				box = world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
-			QueryLeaf seen;
-			seen.x = at.x;
-			seen.y = at.y;
-			seen.c = at.c;
-			seen.s = at.s;
-			seen.attribute = at.attribute;
-			seen.body = at.body;
-			seen.collidable = k;
-			seen.kinds = (kind & KIND_SENSOR ? LEAF_SENSOR : 1u << (kind - 1)) |
-			             (filter.category && filter.mask ? LEAF_LISTENS : 0u);
-			p->query_leaf_row[tree->leaf_begin + i] = seen;
-		}
-	}
-	box_pack(p->query_box, tree->begin[0] + i, box);
+	int k = i < tree->leaves ? p->leaf[tree->leaf_begin + i] : 0;
+	int kind = i < tree->leaves ? p->collidable_kind[k] : KIND_DEAD;
+	if (kind != KIND_DEAD && tree_of_kind(kind) == t)
+		query_leaf_write(p, tree, i, k, kind);
+	else
+		box_pack(p->query_box, tree->begin[0] + i, box_empty());
 }
 
-// Item: a node of a level. Computes the box around its children. argument: the tree and the level.
-KERNEL(query_node) { tree_join(p->query_box, p->tree + RUN_LOW(p->argument), RUN_HIGH(p->argument), i); }
+// Item: a collidable of an active group, in a world that sleeps. Writes its leaf in tree 0, and lists the node above.
+// argument: TREE_* bits.
+KERNEL(query_leaf_active)
+{
+	int k = listed_item(p, GROUPS_OF_COLLIDABLES, i), kind = p->collidable_kind[k];
+	if (kind == KIND_DEAD || tree_of_kind(kind) != 0)
+		return;
+	query_leaf_write(p, p->tree, p->leaf_place[k], k, kind);
+	tree_mark_above(p, p->tree, 1, p->leaf_place[k]);
+}
+
+// Empties the lists of nodes, which the last step has used.
+KERNEL(query_stale_none)
+{
+	for (int level = 0; level < MAX_LEVELS; ++level)
+		p->counters->stale_nodes[level] = 0;
+	(void)i;
+}
+
+// Item: a node of a level, or with TREE_STALE_ONLY a listed node. Computes the box around its children. argument: the
+// tree, TREE_STALE_ONLY, the level.
+KERNEL(query_node)
+{
+	int level = RUN_HIGH(p->argument);
+	if (RUN_LOW(p->argument) & TREE_STALE_ONLY)
+		i = tree_stale_node(p, level, i);
+	tree_join(p->query_box, p->tree + (RUN_LOW(p->argument) & 1), level, i);
+}
 
 INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, QueryLeaf seen, int ignored)
 {

@@ -86,6 +86,15 @@ INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int 
 	return movers;
 }
 
+// Returns the listed node number i of a level of tree 0, takes it from the list, and lists its parent.
+INLINE int tree_stale_node(const Pools* p, int level, int i)
+{
+	int first = p->tree->begin[level - 1] / ARITY, node = p->stale_nodes[first + i];
+	p->node_stale[first + node] = 0;
+	tree_mark_above(p, p->tree, level + 1, node);
+	return node;
+}
+
 // Item: a node of a level, or with TREE_STALE_ONLY a listed node, whose parent is then listed. Computes its box and its
 // mask (tree_movers). argument: the tree, TREE_STALE_ONLY, the level.
 KERNEL(tree_node)
@@ -93,12 +102,7 @@ KERNEL(tree_node)
 	int t = RUN_LOW(p->argument) & 1, level = RUN_HIGH(p->argument);
 	const GLOBAL Tree* tree = p->tree + t;
 	if (RUN_LOW(p->argument) & TREE_STALE_ONLY)
-	{
-		int first = tree->begin[level - 1] / ARITY;
-		i = p->stale_nodes[first + i];
-		p->node_stale[first + i] = 0;
-		tree_mark_above(p, tree, level + 1, i);
-	}
+		i = tree_stale_node(p, level, i);
 	tree_join(p->node_box, tree, level, i);
 	if (p->step.kinematic > 0 && i < tree->count[level])
 		p->node_movers[tree->begin[level - 1] / ARITY + i] = tree_movers(p, tree, level, i);
