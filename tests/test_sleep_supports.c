@@ -213,13 +213,87 @@ static void worlds_wake(void** state)
 	close_sleepers(t.world);
 }
 
+static void lose_by_destroying(scree_world* world, scree_body support) { OK(scree_body_destroy(world, support)); }
+static void lose_by_disabling(scree_world* world, scree_body support)
+{
+	OK(scree_body_set_enabled(world, support, false));
+}
+static void lose_by_filter(scree_world* world, scree_body support)
+{
+	OK(scree_collidable_set_filter(world, collidable_of(world, support), (scree_filter){.category = 1, .mask = 0}));
+}
+static void lose_by_moving(scree_world* world, scree_body support)
+{
+	OK(scree_body_set_pose(world, support, upright_at(50.0f, 0.5f)));
+}
+static void lose_by_gravity(scree_world* world, scree_body support)
+{
+	(void)support;
+	OK(scree_world_set_gravity(world, (scree_vec){0.0f, 5.0f}));
+}
+
+// A crate at rest loses its support in any step before or after it falls asleep, also in a step that searches for
+// islands. It never sleeps in the air: after a second it is where a crate is that cannot sleep.
+static void bodies_do_not_sleep_in_the_air(void** state)
+{
+	(void)state;
+	static void (*const loses[])(scree_world*, scree_body) = {lose_by_destroying, lose_by_disabling, lose_by_filter,
+	                                                          lose_by_moving, lose_by_gravity};
+	for (size_t how = 0; how < sizeof loses / sizeof *loses; ++how)
+		for (int after = REST_STEPS - 2; after <= MOST_STEPS + 2; ++after)
+		{
+			scree_world* world = open_sleepers(-10.0f);
+			scree_body support[2], top[2];
+			for (int k = 0; k < 2; ++k)
+			{
+				support[k] = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 4.0f * (float)k, 2.5f);
+				top[k] = add_crate(world, SCREE_BODY_DYNAMIC, 4.0f * (float)k, 3.5f);
+			}
+			OK(scree_body_set_stays_awake(world, top[1], true));
+			run_steps(world, after);
+			for (int k = 0; k < 2; ++k)
+				loses[how](world, support[k]);
+			run_steps(world, 60);
+			NEAR(pose_of(world, top[0]).position.y, pose_of(world, top[1]).position.y, 1e-3);
+			scree_world_destroy(world);
+		}
+}
+
+// A field on a body wakes sleepers in the place to which the user moves the body.
+static void placed_fields_wake(void** state)
+{
+	(void)state;
+	for (int type = 0; type < 2; ++type)
+	{
+		scree_world* world = open_sleepers(-10.0f);
+		scree_body crate = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f);
+		scree_body carrier = add_box(world, type ? SCREE_BODY_KINEMATIC : SCREE_BODY_STATIC, 0.1f, 0.1f, -30.0f, 6.0f);
+		scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
+		def.body = carrier;
+		def.shape = box_shape(1.0f, 8.0f);
+		def.acceleration = (scree_vec){0.0f, 15.0f};
+		OK(scree_field_create(world, &def, NULL));
+		run_to_sleep(world, &crate, 1);
+		OK(scree_body_set_pose(world, carrier, upright_at(0.0f, 6.0f)));
+		run_steps(world, 30);
+		assert_true(pose_of(world, crate).position.y > 0.8f);
+		close_sleepers(world);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(supports_are_destroyed), cmocka_unit_test(supports_are_disabled),
-	    cmocka_unit_test(supports_are_filtered),  cmocka_unit_test(supports_are_placed),
-	    cmocka_unit_test(supports_begin_to_move), cmocka_unit_test(overlaps_wake_nothing),
-	    cmocka_unit_test(sleepers_are_placed),    cmocka_unit_test(worlds_wake),
+	    cmocka_unit_test(supports_are_destroyed),
+	    cmocka_unit_test(supports_are_disabled),
+	    cmocka_unit_test(supports_are_filtered),
+	    cmocka_unit_test(supports_are_placed),
+	    cmocka_unit_test(supports_begin_to_move),
+	    cmocka_unit_test(overlaps_wake_nothing),
+	    cmocka_unit_test(sleepers_are_placed),
+	    cmocka_unit_test(worlds_wake),
+	    cmocka_unit_test(bodies_do_not_sleep_in_the_air),
+	    cmocka_unit_test(placed_fields_wake),
 	};
 	return RUN_SLEEPERS(tests);
 }

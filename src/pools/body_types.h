@@ -24,12 +24,14 @@
 #define SLEEP_STEPS  8    // every step of this number searches for islands; larger: bodies fall asleep later
 
 // Values of the pool still below 0.
+// s: less than SLEEP_TIME, so that a body that loses a touch in a step does not fall asleep in it (body_unsettle)
+#define STILL_ALMOST  0.4999f
 #define STILL_FORCED  (-1.0f) // the user puts the island of the body to sleep
 #define STILL_STIRRED (-2.0f) // the user moved the body, so its island stays awake in this step
 // Created asleep since the last step, so its parts may still be added. The body ignores marks in the pool wake, which may
 // be those of an earlier body of its slot; island_wake ends this value.
 #define STILL_MADE  (-3.0f)
-#define STILL_MOVED (-4.0f) // static or kinematic, has joints, and was moved by the user
+#define STILL_MOVED (-4.0f) // static or kinematic, has joints or fields, and was moved by the user
 
 // Values of the pool wake, in rising order of strength.
 #define WAKE_USER  1 // the user changed a body of the island; a later call may still put the island to sleep

@@ -16,7 +16,7 @@ typedef struct // 32 bytes: a change that the user made between steps
 // apply to a collidable, other kinds to a body. For kinds below COMMAND_BODY and for COMMAND_TARGET, whole[1] contains
 // these bits:
 #define COMMAND_DISABLED 1 // the body is disabled
-#define COMMAND_JOINED   2 // the body is static or kinematic, and has joints
+#define COMMAND_JOINED   2 // the body is static or kinematic, and has joints or fields
 #define COMMAND_NEW      4 // the command initializes a new body, and wakes nothing
 
 #define COMMAND_FORCE           0  // x, y: N

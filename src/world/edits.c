@@ -57,7 +57,7 @@ void edits_collidable(scree_world* world, int index)
 int command_bits(const scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
-	bool joined = host->type != SCREE_BODY_DYNAMIC && host->first_joint > 0;
+	bool joined = host->type != SCREE_BODY_DYNAMIC && (host->first_joint > 0 || host->fields > 0);
 	return (host->disabled ? COMMAND_DISABLED : 0) | (joined ? COMMAND_JOINED : 0);
 }
 

@@ -201,6 +201,11 @@ KERNEL(joint_finalize)
 	if (!event.broken)
 		return;
 	p->joint_flags[slot] |= JOINT_BROKEN;
+	if (p->step.sleep)
+	{
+		body_restless(p, data->body_a);
+		body_restless(p, data->body_b);
+	}
 	raise_int(&p->counters->joints_dirty, 0x7fffffff);
 }
 

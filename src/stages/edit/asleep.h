@@ -40,6 +40,21 @@ INLINE int body_mark(const Pools* p, int i)
 // Returns whether a body sleeps, and is not marked to wake.
 INLINE int body_sleeps_on(const Pools* p, int i) { return p->sleep[i] != 0 && body_mark(p, i) == 0; }
 
+// Keeps an awake body from falling asleep in this step, because it may have lost its support. If it falls, it moves
+// faster than the threshold before the next search; if it rests on something else, it falls asleep 8 steps later.
+INLINE void body_unsettle(const Pools* p, int i)
+{
+	if (body_still(p, i) >= SLEEP_TIME)
+		write_shared_word((GLOBAL Word*)p->still + i, float_bits(STILL_ALMOST));
+}
+
+// Ends the rest of an awake body.
+INLINE void body_restless(const Pools* p, int i)
+{
+	if (body_still(p, i) > 0.0f)
+		write_shared_word((GLOBAL Word*)p->still + i, 0); // the bits of 0.0f
+}
+
 // Marks the islands of those of two bodies that sleep.
 INLINE void island_wake_both(const Pools* p, Int2 bodies)
 {
@@ -49,12 +64,14 @@ INLINE void island_wake_both(const Pools* p, Int2 bodies)
 		island_wake(p, bodies.y, WAKE_WORLD);
 }
 
-// The same when a contact ends. flags: its flags before; an overlap, or a pending contact, wakes nothing. A body that
+// The same when a contact ends; an awake body stays awake in this step. flags: its flags before; an overlap, or a pending contact, wakes nothing. A body that
 // was created asleep since the last step did not touch anything: the touch was that of an earlier body of its slot.
 INLINE void island_wake_parted(const Pools* p, Int2 bodies, Word flags)
 {
-	if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
+	if (!p->step.sleep || (flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
 		return;
+	body_unsettle(p, bodies.x);
+	body_unsettle(p, bodies.y);
 	if (p->sleep[bodies.x] && body_still(p, bodies.x) != STILL_MADE)
 		island_wake(p, bodies.x, WAKE_WORLD);
 	if (p->sleep[bodies.y] && body_still(p, bodies.y) != STILL_MADE)

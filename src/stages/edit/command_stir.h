@@ -39,7 +39,8 @@ INLINE int command_stirs(const Pools* p, Command c)
 }
 
 // Marks the island of a body that the user changes, and wakes the body itself at once, so that later commands act on
-// it. joined: not 0 for a static or kinematic body with joints: joint_wake marks the islands at these joints.
+// it. joined: not 0 for a static or kinematic body with joints or fields: joint_wake marks the islands at these joints, and
+// field_wake those in these fields.
 INLINE void command_stir(const Pools* p, int i, int joined)
 {
 	if (p->sleep[i])

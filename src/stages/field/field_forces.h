@@ -102,6 +102,14 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	}
 }
 
+// Returns whether a body that carries fields moves, or was placed by the user since the last step.
+INLINE int field_carried(const Pools* p, int carrier)
+{
+	float still = body_still(p, carrier);
+	return body_is_moving(p, carrier) || still == STILL_MOVED ||
+	       (still == STILL_STIRRED && p->body[carrier].inv_mass > 0.0f);
+}
+
 // Wakes sleeping body i if a collidable of it is in the region of a field that moves with a body. argument: number of
 // fields.
 KERNEL(field_wake)
@@ -114,7 +122,7 @@ KERNEL(field_wake)
 		for (int field = field_next(p, &traversal); field >= 0; field = field_next(p, &traversal))
 		{
 			int carrier = p->field[field].body;
-			if (carrier >= 0 && body_is_moving(p, carrier) && carrier != i &&
+			if (carrier >= 0 && carrier != i && field_carried(p, carrier) &&
 			    field_sees(p->field + field, p->filter + k - 1))
 				island_wake(p, i, WAKE_WORLD);
 		}

@@ -65,8 +65,7 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	if (!box_parted(p, pair))
 		return 0;
 	contact_end(p, i);
-	if (p->step.sleep)
-		island_wake_parted(p, p->contact_bodies[i], p->contact_flags[i]);
+	island_wake_parted(p, p->contact_bodies[i], p->contact_flags[i]);
 	contact_count(p, p->contact_bodies[i], p->contact_flags[i], -1);
 	p->pair[i] = make_int2(-1, -1);
 	if (p->step.sleep)
@@ -286,7 +285,10 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	if (p->step.sleep && (flags & CONTACT_ASLEEP || p->sleep[bodies.x] | p->sleep[bodies.y]))
 		narrow_phase_asleep(p, i, flags, moved);
 	else if (!touching)
+	{
 		contact_end(p, i);
+		island_wake_parted(p, bodies, flags);
+	}
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)))
 	{
 		p->contact_press[i] = 0; // clears the presses that the contact handed on when it last touched

@@ -149,7 +149,7 @@ KERNEL(set_awake)
 		return;
 	if (p->argument && p->sleep[i])
 		island_wake(p, i, WAKE_USER);
-	if (p->argument && still == STILL_FORCED)
+	if (p->argument && (still == STILL_FORCED || still > 0.0f))
 		p->still[i] = 0.0f;
 	if (!p->argument && p->sleep_threshold[i] >= 0.0f)
 		p->still[i] = STILL_FORCED;
