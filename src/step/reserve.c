@@ -120,7 +120,7 @@ static void shrink_all(Pipeline* pipeline)
 		if (shrink(pipeline, info->places, (int)constraints_of(b->capacity[info->items])))
 			b->f->resize(b, info->blocks, b->capacity[info->places] / MAX_LANES);
 	}
-	shrink(pipeline, PER_KEY, larger(b->capacity[PER_CONTACT], b->capacity[PER_COLLIDABLE]));
+	shrink(pipeline, PER_KEY, larger(b->capacity[PER_EDGE], b->capacity[PER_COLLIDABLE])); // color_rank: a key per edge
 	shrink(pipeline, PER_SPOKE, LEAST_CAPACITY);
 	shrink(pipeline, PER_SPOKE_BLOCK, LEAST_CAPACITY);
 	shrink(pipeline, PER_COMMAND, LEAST_CAPACITY);
