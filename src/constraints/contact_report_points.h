@@ -4,6 +4,9 @@
 #define CONTACT_REPORT_POINTS_H
 #include "constraints/rolling.h"
 
+// Returns the color of a contact as reported: COLOR_NONE for one that sleeps.
+INLINE int contact_report_color(int color) { return maximum(color, COLOR_NONE); }
+
 // Computes the points at the current poses, relative to the origin of collidable a. a, b: WorldShape rows.
 INLINE ContactPoints contact_report_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
                                            const Real manifold[16], Word flags, Int2 features)

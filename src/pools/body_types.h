@@ -23,9 +23,10 @@
 #define SLEEP_TIME   0.5f // s: time at rest before an island falls asleep; less: bodies that only pause fall asleep
 #define SLEEP_STEPS  8    // every step of this number searches for islands; larger: bodies fall asleep later
 
-// Values of the pool still below 0.
 // s: less than SLEEP_TIME, so that a body that loses a touch in a step does not fall asleep in it (body_unsettle)
-#define STILL_ALMOST  0.4999f
+#define STILL_ALMOST 0.4999f
+
+// Values of the pool still below 0.
 #define STILL_FORCED  (-1.0f) // the user puts the island of the body to sleep
 #define STILL_STIRRED (-2.0f) // the user moved the body, so its island stays awake in this step
 // Created asleep since the last step, so its parts may still be added. The body ignores marks in the pool wake, which may

@@ -64,9 +64,8 @@ static scree_status solve_early(Pipeline* pipeline, const Step* step, const Step
 static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status why)
 {
 	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
-	pipeline->trees[0].touched = pipeline->trees[1].touched = true;
-	pipeline->trees[0].seen = pipeline->trees[1].seen = false;
-	pipeline->trees[0].boxed = 0;
+	tree_touch(pipeline, 0);
+	tree_touch(pipeline, 1);
 	pipeline->reverted = true;
 	scree_status status = pipeline_run(pipeline, step);
 	pipeline->started = status != SCREE_OK;
@@ -149,7 +148,7 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 	bool greedy = !b->distant && b->threads <= GREEDY_THREADS;
 	int bodies = request->bodies, rounds = greedy ? 0 : pipeline->rounds + SPARE_ROUNDS;
 	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // true: no solve, or other runs before it
-	bool early = pipeline->backend->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
+	bool early = b->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
 	pipeline->skips = step->sleep;
 	TRY(list_transform(pipeline, step, bodies));
@@ -280,11 +279,9 @@ void pipeline_move(Pipeline* pipeline, Backend* backend)
 	pipeline->backend = backend;
 	for (int t = 0; t < 2; ++t)
 	{
-		TreeState* state = &pipeline->trees[t];
-		memset(&state->sent, -1, sizeof state->sent); // no tree has these bytes, so the next upload writes the tree
-		state->touched = true;
-		state->seen = false;
-		state->boxed = 0;
+		Tree* sent = &pipeline->trees[t].sent;
+		memset(sent, -1, sizeof *sent); // no tree has these bytes, so the next upload writes the tree
+		tree_touch(pipeline, t);
 	}
 	pipeline->named = pipeline->named_bodies = 0;
 	pipeline->split = false; // the pools of spokes have the role DERIVED, so they were not copied

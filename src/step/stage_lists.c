@@ -16,15 +16,19 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, RUN_PAIR(t, level));
 }
 
+void list_stale_nodes(RunList* list, const Tree* tree, int kernel)
+{
+	for (int level = 1; level <= tree->top; ++level)
+		runs_add(list, kernel, 0, tree->count[level], COUNT(stale_nodes) + level, RUN_PAIR(TREE_STALE_ONLY, level));
+}
+
 // Lists the runs that recompute the boxes of tree 0 around collidables whose boxes changed.
 static void tree_refit_stale(RunList* list, const Tree* tree, const Step* step)
 {
 	if (tree->leaves == 0)
 		return;
 	runs_add(list, KERNEL_leaf_update, 0, step->collidables, COUNT(updated_boxes), 0);
-	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, KERNEL_tree_node, 0, tree->count[level], COUNT(stale_nodes) + level,
-		         RUN_PAIR(TREE_STALE_ONLY, level));
+	list_stale_nodes(list, tree, KERNEL_tree_node);
 }
 
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count)

@@ -16,6 +16,9 @@ void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request
 // rest: true if one worker then colors the constraints that are left (color_greedy).
 void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest);
 
+// Lists the runs that compute the boxes of the nodes of tree 0 in stale_nodes. kernel: tree_node or query_node.
+void list_stale_nodes(RunList* list, const Tree* tree, int kernel);
+
 // Lists the runs that sort the leaves of a tree. boxes: 0 to sort by the boxes of the step, TREE_QUERIES to sort by the
 // boxes for queries. count: NO_COUNT, or a counter; if it is 0, the runs do nothing.
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count);

@@ -27,13 +27,10 @@ static void list_refit(Pipeline* pipeline, int t, bool ways)
 static void list_refit_active(Pipeline* pipeline, bool ways)
 {
 	RunList* list = &pipeline->list;
-	const Tree* tree = &pipeline->trees[0].tree;
 	runs_add_single(list, KERNEL_query_stale_none);
 	runs_add(list, KERNEL_query_leaf_active, 0, group_items(pipeline->collidables),
 	         COUNT(active_items) + GROUPS_OF_COLLIDABLES, ways ? TREE_PATHS : 0);
-	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, KERNEL_query_node, 0, tree->count[level], COUNT(stale_nodes) + level,
-		         RUN_PAIR(TREE_STALE_ONLY, level));
+	list_stale_nodes(list, &pipeline->trees[0].tree, KERNEL_query_node);
 }
 
 // Returns whether all boxes for queries that may be out of date belong to collidables in active groups: groups rest 8

@@ -12,6 +12,7 @@ int tree_nodes(int leaves);
 scree_status tree_insert(Pipeline* pipeline, int t, int collidable);
 // Reverts the last tree_insert of a collidable whose slot is freed because its creation failed.
 void tree_withdraw(Pipeline* pipeline, int collidable);
+// Lets the next step and the next query compute all boxes of tree t again.
 void tree_touch(Pipeline* pipeline, int t);
 // Removes a collidable from tree t. The collidable was destroyed, or moved to the other tree.
 void tree_leave(Pipeline* pipeline, int t, int collidable);

@@ -14,6 +14,17 @@ scree_tuning tuning_of(const scree_world_def* def)
 	                      .sleep_threshold = def->sleep_threshold};
 }
 
+void tuning_copy(scree_world_def* def, const scree_tuning* tuning)
+{
+	def->contact_hertz = tuning->contact_hertz;
+	def->contact_damping_ratio = tuning->contact_damping_ratio;
+	def->contact_push_speed = tuning->contact_push_speed;
+	def->restitution_threshold = tuning->restitution_threshold;
+	def->max_speed = tuning->max_speed;
+	def->sleep = tuning->sleep;
+	def->sleep_threshold = tuning->sleep_threshold;
+}
+
 scree_status check_tuning(ArgumentPlace at, const scree_tuning* tuning)
 {
 	TRY(check_real(at, ".contact_hertz", tuning->contact_hertz, 1e-3f, 1e6f));

@@ -5,6 +5,7 @@
 #include "world/check.h"
 
 scree_tuning tuning_of(const scree_world_def* def);
+void tuning_copy(scree_world_def* def, const scree_tuning* tuning);
 scree_status check_tuning(ArgumentPlace at, const scree_tuning* tuning);
 
 #endif

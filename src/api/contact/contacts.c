@@ -75,7 +75,7 @@ static ContactReport contact_report_at(const scree_world* world, const Rows* row
 	ContactReport row = {.pair = pair,
 	                     .feature = rows->feature[k],
 	                     .flags = rows->flags[k],
-	                     .color = rows->color[k] < 0 ? COLOR_NONE : rows->color[k]};
+	                     .color = contact_report_color(rows->color[k])};
 	Real a[8], b[8], manifold[16];
 	gather_rows8((const float*)(rows->placed + pair.x), 0, a);
 	gather_rows8((const float*)(rows->placed + pair.y), 0, b);

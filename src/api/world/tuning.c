@@ -32,13 +32,7 @@ scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuni
 	tuning = definition_at(tuning, 0, &tuning_definition, &local);
 	TRY(check_tuning(at, tuning));
 	scree_world_def wanted = world->def;
-	wanted.contact_hertz = tuning->contact_hertz;
-	wanted.contact_damping_ratio = tuning->contact_damping_ratio;
-	wanted.contact_push_speed = tuning->contact_push_speed;
-	wanted.restitution_threshold = tuning->restitution_threshold;
-	wanted.max_speed = tuning->max_speed;
-	wanted.sleep = tuning->sleep;
-	wanted.sleep_threshold = tuning->sleep_threshold;
+	tuning_copy(&wanted, tuning);
 	if (memcmp(&wanted, &world->def, sizeof wanted) == 0)
 		return SCREE_OK; // so that a call in each step keeps no body awake
 	TRY(world_set_awake(world, true));

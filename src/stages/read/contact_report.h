@@ -14,7 +14,7 @@ INLINE void contact_report_write(const Pools* p, int i, int row)
 	listed.pair = pair;
 	listed.feature = p->contact_feature[i];
 	listed.flags = p->contact_flags[i];
-	listed.color = maximum(p->contact_color[i], COLOR_NONE);
+	listed.color = contact_report_color(p->contact_color[i]);
 	listed.unused[0] = 0.0f;
 	listed.unused[1] = 0.0f;
 	gather_fixed_rows8((GLOBAL float*)p->world_shape, pair.x, a);
