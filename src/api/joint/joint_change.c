@@ -51,11 +51,9 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		world->host_joints[index].seeks |= change->moves && !same;
 		if (change->moves)
 			joint_anchors(world, index);
-		// a value that is set again, for instance in each step, wakes nothing
+		// a value that is set again, for instance in each step, wakes nothing and is not uploaded
 		if (!same)
 			joint_changed(world, index, def->disabled != disabled);
-		else
-			joint_resend(world, index, false);
 	}
 	return SCREE_OK;
 }
