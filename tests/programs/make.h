@@ -94,6 +94,29 @@ static inline void put(Maker* m, Call call) { program_add(m->program, call); }
 // Returns a number for a body; sometimes no body has this number.
 static inline float any_body(Maker* m) { return (float)below(m, m->bodies + 1); }
 
+// defined in make_attribute.c
+float any_attribute(Maker* m); // returns a number for an attribute; sometimes no attribute has this number
+void put_attribute(Maker* m);
+void put_like(Maker* m);
+void put_drop(Maker* m);
+void put_material(Maker* m);
+
+// defined in make_collidable.c
+void set_filter(Maker* m, Call* call);
+void set_reports(Maker* m, Call* call);
+void set_sensor(Maker* m, Call* call);
+void set_place(Maker* m, Call* call);
+void put_collidable(Maker* m);
+
+// defined in make_body.c
+void put_body(Maker* m);
+void put_bodies(Maker* m, int count);
+void put_hub(Maker* m);
+void put_floor(Maker* m);
+void put_motion(Maker* m); // adds a call that moves bodies
+void put_setting(Maker* m);
+void put_destroy(Maker* m);
+
 // defined in make_joint.c
 void put_joint(Maker* m);
 void put_joints(Maker* m, int count); // joins a row of bodies that the last call created
