@@ -3,9 +3,9 @@
 //
 // A scene is at rest since the last step in which a center of mass moved faster than the threshold. docs/sleep.md has
 // times of Box2D beside those of Scree.
-#include "scene/find.h"
+#include "scene/player.h"
+#include "support/load_scene.h"
 #include "support/make_joints.h"
-#include "support/scene_text.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,8 +18,8 @@
 typedef struct
 {
 	const char* name;
-	double most; // s: time in which the scene comes to rest
-	SceneSetting settings[5];
+	double most;              // s: time in which the scene comes to rest
+	SceneSetting settings[6]; // the list ends at an entry without a name
 } Resting;
 
 static const Resting scenes[] = {
@@ -97,15 +97,7 @@ static void scenes_fall_asleep(void** state)
 	for (size_t k = 0; k < sizeof scenes / sizeof *scenes; ++k)
 	{
 		const Resting* resting = scenes + k;
-		int settings = 0;
-		while (settings < 5 && resting->settings[settings].name)
-			++settings;
-		char path[SCENE_PATH], sentence[SCENE_SENTENCE];
-		if (!scene_find(resting->name, NULL, path, sentence))
-			fail_msg("%s", sentence);
-		Scene* scene = scene_load(path, resting->settings, settings, sentence);
-		if (!scene)
-			fail_msg("%s", sentence);
+		Scene* scene = load_scene(resting->name, resting->settings);
 		scree_world_def def = scene->world;
 		def.device = "cpu";
 		def.threads = 2;

@@ -2,9 +2,8 @@
 // small_scenes.h -- creates scenarios of all scenes, small enough for a test to run on many devices.
 #ifndef SMALL_SCENES_H
 #define SMALL_SCENES_H
-#include "scene/find.h"
-#include "scene/load.h"
 #include "scene/player.h"
+#include "support/load_scene.h"
 #include "support/scenarios.h"
 #include "support/small_sizes.h"
 #include <stdlib.h>
@@ -45,15 +44,7 @@ static inline Scenario small_scene(const char* name)
 			small = small_scenes + k;
 	if (!small)
 		fail_msg("scene %s has no line in small_sizes.h", name);
-	int settings = 0;
-	while (settings < 5 && small->settings[settings].name)
-		++settings;
-	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
-	if (!scene_find(name, NULL, path, sentence))
-		fail_msg("%s", sentence);
-	Scene* scene = scene_load(path, small->settings, settings, sentence);
-	if (!scene)
-		fail_msg("%s", sentence);
+	Scene* scene = load_scene(name, small->settings);
 	return (Scenario){.name = small->name,
 	                  .def = scene->world,
 	                  .dt = scene->dt,

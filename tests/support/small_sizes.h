@@ -9,7 +9,7 @@ typedef struct
 {
 	const char* name;
 	int steps;
-	SceneSetting settings[5]; // the list ends at the first entry without a name
+	SceneSetting settings[6]; // the list ends at an entry without a name
 } SmallScene;
 
 static const SmallScene small_scenes[] = {

@@ -22,7 +22,7 @@ static void run(const SmallScene* small, int lanes, int threads, int part)
 {
 	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
 	int settings = 0;
-	while (settings < 5 && small->settings[settings].name)
+	while (small->settings[settings].name)
 		++settings;
 	check(scene_find(small->name, NULL, path, sentence), sentence);
 	Scene* scene = scene_load(path, small->settings, settings, sentence);
