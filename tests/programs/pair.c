@@ -173,8 +173,12 @@ void pair_open(Pair* pair, const Place places[2])
 		pair->names[k] = calloc(1, sizeof *pair->names[k]);
 	if (!pair->names[0] || !pair->names[1])
 		abort();
-	if (strcmp(places[1].device, "cpu") != 0)
-		worker_open(pair);
+	if (strcmp(places[1].device, "cpu") == 0)
+		return;
+	worker_open(pair);
+	const Call made = call_make(CALL_world);
+	arithmetic_setting.flush = places[1].flush;
+	run_world(&places[1], &made, &pair->keeper); // a failure is reported when the first program fails in the same way
 }
 
 static void ignore_line(scree_log_level level, const char* sentence, void* context)
@@ -202,6 +206,7 @@ void pair_forget(Pair* pair)
 void pair_close(Pair* pair)
 {
 	pair_forget(pair);
+	scree_world_destroy(pair->keeper);
 	if (pair->worker)
 		worker_close(pair->worker);
 	for (int k = 0; k < 2; ++k)
