@@ -13,6 +13,7 @@ SMALL_BEGIN
 SMALL_END
 #include "stages/broad_phase/transform.h"
 #include "stages/tree/tree.h"
+#include "stages/broad_phase/leaf.h"
 #include "stages/broad_phase/broad_phase.h"
 #include "stages/color/joint_edges.h"
 #include "stages/rules/rule.h"

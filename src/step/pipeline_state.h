@@ -5,17 +5,27 @@
 #include "backend/backend.h"
 #include "backend/run_list.h"
 
+typedef enum // which boxes of a tree the next step must compute
+{
+	TREE_KEPT,   // those around collidables whose boxes change
+	TREE_EDITED, // those above all collidables in active groups too, because the user changed some; only in tree 0
+	TREE_MOVED,  // all, because leaves or nodes have other positions, or any box may have changed
+} TreeChange;
+
 typedef struct // state of the host for one tree of the broad phase; see tree_maintenance.c
 {
 	Tree tree, sent; // current tree; tree as last uploaded
+	int room;        // number of leaves for which the levels have room
+	int placed;      // number of leaves in the pool leaf_place
+	bool movers;     // the pool node_movers is computed for all nodes
 	int* added;      // collidables to append to the leaves in the next step
 	int added_count, added_capacity;
 	int64_t unsorted; // number of leaves appended and boxes changed since the leaves were last sorted
 	double outliers;  // number of node visits wasted on outliers since the leaves were last sorted
 	int churned;      // number of consecutive steps in which boxes jumped so far that the leaves were sorted
 	bool ordered;     // the current step sorts the leaves because boxes are expected to jump
-	bool touched;     // boxes or positions of leaves or nodes changed, so the next step recomputes all boxes of nodes
-	bool seen;        // the boxes for queries match the current poses
+	TreeChange change;
+	bool seen; // the boxes for queries match the current poses
 	// Pipeline.steps plus 1 when the boxes for queries were last computed; 0 if the leaves have changed since
 	int64_t boxed;
 	int appended; // number of leaves appended since the leaves were last sorted

@@ -6,14 +6,18 @@
 #include "step/reserve.h"
 #include "step/tree_maintenance.h"
 
-// Lists the runs that recompute the boxes of a tree. count: NO_COUNT, or a counter; if it is 0, the runs do nothing.
-static void tree_refit(RunList* list, const Tree* tree, int t, int count)
+void list_tree(RunList* list, const TreeState* state, int leaf, int node, int how, int count)
 {
-	if (tree->leaves == 0)
-		return;
-	runs_add(list, KERNEL_tree_leaf, 0, tree_padded(tree->count[0]), count, t);
-	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, RUN_PAIR(t, level));
+	for (int level = 0, room = state->room; level <= state->tree.top && room > 0;
+	     ++level, room = (room + ARITY - 1) / ARITY)
+		runs_add(list, level == 0 ? leaf : node, 0, tree_padded(room), count,
+		         level == 0 ? how : RUN_PAIR(how & 1, level));
+}
+
+// Lists the runs that compute all boxes of a tree. count: NO_COUNT, or a counter; if it is 0, the runs do nothing.
+static void tree_refit(RunList* list, const TreeState* state, int t, int count)
+{
+	list_tree(list, state, KERNEL_tree_leaf, KERNEL_tree_node, t, count);
 }
 
 void list_stale_nodes(RunList* list, const Tree* tree, int kernel)
@@ -22,13 +26,11 @@ void list_stale_nodes(RunList* list, const Tree* tree, int kernel)
 		runs_add(list, kernel, 0, tree->count[level], COUNT(stale_nodes) + level, RUN_PAIR(TREE_STALE_ONLY, level));
 }
 
-// Lists the runs that recompute the boxes of tree 0 around collidables whose boxes changed.
-static void tree_refit_stale(RunList* list, const Tree* tree, const Step* step)
+void list_new_leaves(RunList* list, TreeState* state)
 {
-	if (tree->leaves == 0)
-		return;
-	runs_add(list, KERNEL_leaf_update, 0, step->collidables, COUNT(updated_boxes), 0);
-	list_stale_nodes(list, tree, KERNEL_tree_node);
+	if (state->placed < state->tree.leaves)
+		runs_add(list, KERNEL_leaf_append, state->placed, state->tree.leaves, NO_COUNT, 0);
+	state->placed = state->tree.leaves;
 }
 
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count)
@@ -39,21 +41,67 @@ void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int coun
 	runs_add(list, KERNEL_tree_order, 0, tree->leaves, count, t);
 }
 
-static void tree_order(RunList* list, const Tree* tree, int t, int count)
+static void tree_order(RunList* list, const TreeState* state, int t, int count)
 {
-	tree_refit(list, tree, t, count);
-	list_leaf_order(list, tree, t, 0, count);
+	tree_refit(list, state, t, count);
+	list_leaf_order(list, &state->tree, t, 0, count);
 }
 
 // Lists the runs that measure the outliers of a tree and sort its leaves. The device executes the sort only if boxes
-// jumped so far that slower traversals would cost more than the sort.
-static void tree_refit_all(RunList* list, const Tree* tree, int t)
+// jumped so far that slower traversals would cost more than the sort. stale: 0, or TREE_STALE_ONLY
+static void tree_order_jumped(RunList* list, const TreeState* state, int t, int stale)
 {
-	if (tree->leaves <= ARITY)
+	int nodes = (state->tree.leaves + ARITY - 1) / ARITY;
+	if (state->tree.leaves <= ARITY)
 		return;
-	runs_add(list, KERNEL_tree_outlier, 0, (tree->leaves + ARITY - 1) / ARITY, COUNT(jumped), t);
+	runs_add(list, KERNEL_tree_outlier, 0, nodes, stale ? COUNT(stale_nodes) + 1 : COUNT(jumped), t | stale);
 	runs_add(list, KERNEL_tree_measure_quality, 0, 1, COUNT(jumped), t);
-	tree_order(list, tree, t, COUNT(order) + t);
+	tree_order(list, state, t, COUNT(order) + t);
+}
+
+// Lists the runs that compute the boxes of tree 0 around collidables whose boxes changed, in a world that sleeps.
+static void tree_refit_stale(RunList* list, TreeState* state, const Step* step, bool jumps)
+{
+	if (state->tree.leaves == 0)
+		return;
+	list_new_leaves(list, state);
+	if (state->change == TREE_EDITED)
+		runs_add(list, KERNEL_leaf_active, 0, group_items(step->collidables),
+		         COUNT(active_items) + GROUPS_OF_COLLIDABLES, 0);
+	else
+		runs_add(list, KERNEL_leaf_update, 0, step->collidables, COUNT(updated_boxes), 0);
+	if (jumps)
+	{
+		tree_order_jumped(list, state, 0, TREE_STALE_ONLY);
+		tree_refit(list, state, 0, COUNT(order));
+	}
+	list_stale_nodes(list, &state->tree, KERNEL_tree_node);
+}
+
+// Returns whether it is enough to compute the boxes of tree 0 around collidables whose boxes changed.
+static bool tree_is_listed(const Pipeline* pipeline, const Step* step)
+{
+	const TreeState* state = &pipeline->trees[0];
+	return step->sleep && pipeline->listed && state->change != TREE_MOVED && (step->kinematic == 0 || state->movers);
+}
+
+// Lists the runs that compute the boxes of a tree, and sort its leaves if boxes jumped.
+static void list_tree_boxes(Pipeline* pipeline, const Step* step, int t)
+{
+	RunList* list = &pipeline->list;
+	TreeState* state = &pipeline->trees[t];
+	bool jumps = pipeline->jumps && !state->ordered, listed = t == 0 && tree_is_listed(pipeline, step);
+	bool all = state->change != TREE_KEPT || (t == 0 && step->sleep);
+	if (listed)
+		tree_refit_stale(list, state, step, jumps);
+	else if (jumps)
+		tree_order_jumped(list, state, t, 0);
+	// the static tree changes only if the user moved something in it, or the device sorted its leaves
+	if (!listed && (t == 0 || all || jumps))
+		tree_refit(list, state, t, all ? NO_COUNT : t == 0 ? COUNT(refit) : COUNT(order) + 1);
+	state->movers = step->kinematic > 0 && (!listed || state->movers);
+	state->placed = state->tree.leaves;
+	state->change = TREE_KEPT;
 }
 
 // Returns the counter of the items of a kind that a kernel visits; NO_COUNT in a world that does not sleep.
@@ -117,26 +165,19 @@ scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 		{
 			state->ordered = pipeline->jumps && tree_churns(state);
 			if (state->ordered)
-				tree_order(list, &state->tree, t, NO_COUNT);
-			else if (pipeline->jumps)
-				tree_refit_all(list, &state->tree, t);
-			state->touched = state->touched || state->ordered;
-			continue;
+				tree_order(list, state, t, NO_COUNT);
 		}
-		tree_order(list, &state->tree, t, NO_COUNT);
-		TRY(pipeline_run(pipeline, step));
-		TRY(tree_ordered(pipeline, t));
-		state->touched = true;
+		else
+		{
+			tree_order(list, state, t, NO_COUNT);
+			TRY(pipeline_run(pipeline, step));
+			TRY(tree_ordered(pipeline, t));
+			state->change = TREE_MOVED;
+		}
+		if (state->ordered)
+			state->change = TREE_MOVED;
+		list_tree_boxes(pipeline, step, t);
 	}
-	// the static tree changes only if the user moved something in it, or the device sorted its leaves
-	const TreeState* moving = &pipeline->trees[0];
-	if (step->sleep && pipeline->listed && !moving->touched && !pipeline->jumps)
-		tree_refit_stale(list, &moving->tree, step);
-	else
-		tree_refit(list, &moving->tree, 0, moving->touched || step->sleep ? NO_COUNT : COUNT(refit));
-	if (pipeline->trees[1].touched || pipeline->jumps)
-		tree_refit(list, &pipeline->trees[1].tree, 1, pipeline->trees[1].touched ? NO_COUNT : COUNT(order) + 1);
-	pipeline->trees[0].touched = pipeline->trees[1].touched = false;
 	return SCREE_OK;
 }
 

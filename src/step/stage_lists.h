@@ -16,6 +16,11 @@ void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request
 // rest: true if one worker then colors the constraints that are left (color_greedy).
 void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest);
 
+// Lists the runs that compute all boxes of a tree, also those of the room for leaves that are appended. leaf, node:
+// kernels; how: their argument, the tree in bit 0; count: NO_COUNT, or a counter; if it is 0, the runs do nothing.
+void list_tree(RunList* list, const TreeState* state, int leaf, int node, int how, int count);
+// Lists the run that notes the leaves of tree 0 that were appended since the last step or query.
+void list_new_leaves(RunList* list, TreeState* state);
 // Lists the runs that compute the boxes of the nodes of tree 0 in stale_nodes. kernel: tree_node or query_node.
 void list_stale_nodes(RunList* list, const Tree* tree, int kernel);
 

@@ -15,12 +15,8 @@
 // Lists the runs that compute the boxes of tree t for queries. ways: true for boxes around the motion of the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)
 {
-	RunList* list = &pipeline->list;
-	const Tree* tree = &pipeline->trees[t].tree;
 	int how = (ways ? TREE_PATHS : 0) | (pipeline->reverted ? TREE_STALE : 0);
-	runs_add(list, KERNEL_query_leaf, 0, tree_padded(tree->count[0]), NO_COUNT, t | how);
-	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, KERNEL_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, RUN_PAIR(t, level));
+	list_tree(&pipeline->list, &pipeline->trees[t], KERNEL_query_leaf, KERNEL_query_node, t | how, NO_COUNT);
 }
 
 // Lists the runs that compute the boxes for queries of the collidables in active groups, and of the nodes above them.
@@ -28,18 +24,18 @@ static void list_refit_active(Pipeline* pipeline, bool ways)
 {
 	RunList* list = &pipeline->list;
 	runs_add_single(list, KERNEL_query_stale_none);
-	runs_add(list, KERNEL_query_leaf_active, 0, group_items(pipeline->collidables),
+	list_new_leaves(list, &pipeline->trees[0]);
+	runs_add(list, KERNEL_query_leaf_active, 0, pipeline->backend->capacity[PER_COLLIDABLE],
 	         COUNT(active_items) + GROUPS_OF_COLLIDABLES, ways ? TREE_PATHS : 0);
 	list_stale_nodes(list, &pipeline->trees[0].tree, KERNEL_query_node);
 }
 
 // Returns whether all boxes for queries that may be out of date belong to collidables in active groups: groups rest 8
-// steps after their last change at the earliest, and the boxes were computed later than 8 steps ago. The step after a
-// change of the leaves writes the pool leaf_place.
+// steps after their last change at the earliest, and the boxes were computed later than 8 steps ago.
 static bool rest_is_boxed(const Pipeline* pipeline, int t)
 {
 	const TreeState* state = &pipeline->trees[t];
-	return t == 0 && pipeline->sleeps && pipeline->listed && !pipeline->reverted && !state->touched &&
+	return t == 0 && pipeline->sleeps && pipeline->listed && !pipeline->reverted && state->change != TREE_MOVED &&
 	       state->boxed > 0 && pipeline->steps + 1 - state->boxed < SLEEP_STEPS;
 }
 
@@ -49,7 +45,7 @@ static scree_status order(Pipeline* pipeline, int t)
 	list_refit(pipeline, t, false);
 	list_leaf_order(&pipeline->list, &pipeline->trees[t].tree, t, TREE_QUERIES, NO_COUNT);
 	TRY(pipeline_run(pipeline, &pipeline->step));
-	pipeline->trees[t].touched = true; // the leaves have new places, so the step must recompute the boxes of the nodes
+	pipeline->trees[t].change = TREE_MOVED; // the leaves have new places, so the step computes all boxes of nodes
 	return tree_ordered(pipeline, t);
 }
 

@@ -8,17 +8,34 @@
 // decided to sort, the next steps sort the leaves without a measurement; one step in CHURN_STEPS measures again.
 #define CHURN_STEPS 4
 
+// Room of a tree for leaves that are appended, as a share and as a least number of leaves, in a world that sleeps.
+#define SPARE_SHARE 64
+#define SPARE_LEAST 64
+
 #define LEFT_SOON 24 // distance, in collidables, between the prefetch of an entry of Pipeline.member and its use
 
 // Bits of Pipeline.member. HAS_LEAF: a leaf of tree t refers to the collidable. BELONGS: it is alive and in tree t.
 #define HAS_LEAF(t) (1 << (t))
 #define BELONGS(t)  (4 << (t))
 
-static void touch(TreeState* state)
+// Lets the next step and the next query compute all boxes of a tree.
+static void move(TreeState* state)
 {
-	state->touched = true;
+	state->change = TREE_MOVED;
 	state->seen = false;
 	state->boxed = 0;
+}
+
+// Lets the next step and the next query compute the boxes that an edit of the user may change. All collidables that the
+// user has changed are in active groups, if the device lists groups (world/device/touched.c).
+static void edit(Pipeline* pipeline, int t)
+{
+	TreeState* state = &pipeline->trees[t];
+	if (t != 0 || !pipeline->listed)
+		move(state);
+	else if (state->change == TREE_KEPT)
+		state->change = TREE_EDITED;
+	state->seen = false;
 }
 
 int tree_padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
@@ -34,6 +51,17 @@ int tree_nodes(int leaves)
 	return nodes + ARITY; // + ARITY for the root, behind the highest level
 }
 
+// Computes the number of leaves for which the levels of a tree have room. In a world that sleeps, appended leaves must
+// not move the levels above them, since then all boxes of nodes are computed.
+static int room_of(const Pipeline* pipeline, const TreeState* state)
+{
+	int leaves = state->tree.leaves, spare = pipeline->listed ? leaves / SPARE_SHARE + SPARE_LEAST : 0;
+	int capacity = pipeline->backend->capacity[PER_COLLIDABLE];
+	if (leaves == 0 || (leaves <= state->room && state->room <= leaves + 2 * spare && state->room <= capacity))
+		return leaves == 0 ? 0 : state->room;
+	return leaves + spare < capacity ? leaves + spare : capacity;
+}
+
 // Computes the position of a tree in the pools, and its levels. Uploads the tree if it changed.
 static scree_status tree_layout(Pipeline* pipeline, int t)
 {
@@ -42,21 +70,25 @@ static scree_status tree_layout(Pipeline* pipeline, int t)
 	Tree* tree = &state->tree;
 	int capacity = pipeline->backend->capacity[PER_COLLIDABLE];
 	tree->leaf_begin = t * capacity;
-	int begin = t * tree_nodes(capacity), count = tree->leaves;
+	int begin = t * tree_nodes(capacity), count = tree->leaves, room = room_of(pipeline, state);
+	if (room != state->room)
+		move(state); // the boxes of the new room are not empty
+	state->room = room;
 	for (tree->top = 0;; ++tree->top)
 	{
 		tree->begin[tree->top] = begin;
 		tree->count[tree->top] = count;
 		if (count <= ARITY)
 			break;
-		begin += tree_padded(count);
+		begin += tree_padded(room);
 		count = (count + ARITY - 1) / ARITY;
+		room = (room + ARITY - 1) / ARITY;
 	}
 	if (memcmp(tree, &state->sent, sizeof *tree) == 0)
 		return SCREE_OK;
+	if (tree->top != state->sent.top || memcmp(tree->begin, state->sent.begin, sizeof tree->begin) != 0)
+		move(state);
 	state->sent = *tree;
-	state->touched = true; // nodes have other positions if the number of leaves has changed
-	state->boxed = 0;
 	return b->f->write(b, POOL_tree, t, 1, tree);
 }
 
@@ -72,7 +104,7 @@ scree_status tree_insert(Pipeline* pipeline, int t, int collidable)
 		pipeline->member_capacity = capacity;
 	}
 	TreeState* state = &pipeline->trees[t];
-	touch(state);
+	edit(pipeline, t);
 	pipeline->statics |= t == 1;
 	pipeline->member[collidable] |= BELONGS(t);
 	if (pipeline->member[collidable] & HAS_LEAF(t))
@@ -111,12 +143,12 @@ void tree_withdraw(Pipeline* pipeline, int collidable)
 	}
 }
 
-void tree_touch(Pipeline* pipeline, int t) { touch(&pipeline->trees[t]); }
+void tree_touch(Pipeline* pipeline, int t) { move(&pipeline->trees[t]); }
 
 void tree_leave(Pipeline* pipeline, int t, int collidable)
 {
 	TreeState* state = &pipeline->trees[t];
-	touch(state);
+	edit(pipeline, t);
 	pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
 	if (state->left_count == state->left_capacity && !state->shrunk)
 	{
@@ -148,7 +180,7 @@ scree_status tree_upload(Pipeline* pipeline)
 			state->unsorted += state->added_count;
 			state->appended += state->added_count;
 			state->added_count = 0;
-			touch(state);
+			edit(pipeline, t);
 		}
 		TRY(tree_layout(pipeline, t));
 	}
@@ -206,6 +238,8 @@ scree_status tree_ordered(Pipeline* pipeline, int t)
 	}
 	state->left_count = 0;
 	state->shrunk = false;
+	if (state->placed > state->tree.leaves)
+		state->placed = state->tree.leaves;
 	return tree_layout(pipeline, t);
 }
 
@@ -239,7 +273,7 @@ scree_status tree_restore(Pipeline* pipeline, int* leaves)
 		if (state->tree.leaves > 0)
 			status = b->f->write(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], state->tree.leaves, from);
 		from += state->tree.leaves;
-		touch(state);
+		move(state);
 		if (!status)
 			status = tree_layout(pipeline, t);
 	}

@@ -66,8 +66,10 @@ static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 	CallRun run = {call, pair->worlds[k], pair->names[k], &pair->places[k], pair->homes[k], &left};
 	if (pair->places[k].reads)
 	{
-		pair->worlds[k]->pipeline.quiet = 0;          // no step is skipped (step/pipeline.c)
-		pair->worlds[k]->pipeline.trees[0].boxed = 0; // boxes for queries are all computed (step/step_queries.c)
+		TreeState* moving = &pair->worlds[k]->pipeline.trees[0];
+		pair->worlds[k]->pipeline.quiet = 0; // no step is skipped (step/pipeline.c)
+		moving->boxed = 0;                   // boxes for queries are all computed (step/step_queries.c)
+		moving->change = TREE_MOVED;         // all boxes of the tree are computed (step/stage_lists.c)
 	}
 	left.status = run_call(&run);
 	if (left.status != SCREE_OK)

@@ -5,6 +5,7 @@
 // search visits near nodes first, and skips nodes that are farther than the best result so far (docs/queries.md).
 #ifndef QUERY_TREE_H
 #define QUERY_TREE_H
+#include "stages/broad_phase/leaf.h"
 #include "stages/broad_phase/transform.h"
 #include "stages/geometry/filter.h"
 #include "stages/tree/tree.h"
@@ -78,11 +79,15 @@ KERNEL(query_leaf)
 // argument: TREE_* bits.
 KERNEL(query_leaf_active)
 {
-	int k = listed_item(p, GROUPS_OF_COLLIDABLES, i), kind = p->collidable_kind[k];
-	if (kind == KIND_DEAD || tree_of_kind(kind) != 0)
+	const GLOBAL Tree* tree = p->tree;
+	int k = listed_item(p, GROUPS_OF_COLLIDABLES, i), kind = p->collidable_kind[k], place = tree_place(p, tree, k);
+	if (place < 0)
 		return;
-	query_leaf_write(p, p->tree, p->leaf_place[k], k, kind);
-	tree_mark_above(p, p->tree, 1, p->leaf_place[k]);
+	if (kind != KIND_DEAD && tree_of_kind(kind) == 0)
+		query_leaf_write(p, tree, place, k, kind);
+	else
+		box_pack(p->query_box, tree->begin[0] + place, box_empty());
+	tree_mark_above(p, tree, 1, place);
 }
 
 // Empties the lists of nodes, which the last step has used.

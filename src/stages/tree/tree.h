@@ -55,17 +55,6 @@ INLINE void tree_mark_above(const Pools* p, const GLOBAL Tree* tree, int level, 
 	p->stale_nodes[first + atomic_add_int(&p->counters->stale_nodes[level], 1)] = node;
 }
 
-// Item: an updated collidable, in a world that sleeps. Updates the box of its leaf in tree 0, and lists the node above.
-KERNEL(leaf_update)
-{
-	const GLOBAL Tree* tree = p->tree;
-	int k = p->updated_list[i], place = p->leaf_place[k];
-	if (tree_of_kind(p->collidable_kind[k]) != 0)
-		return;
-	box_pack(p->node_box, tree->begin[0] + place, p->box[k]);
-	tree_mark_above(p, tree, 1, place);
-}
-
 INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, int i)
 {
 	Float4 box = i < tree->count[level] ? box_around(boxes + tree->begin[level - 1] + ARITY * i) : box_empty();
@@ -116,16 +105,19 @@ INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, i
 
 INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 
-// Item: a node of level 1. argument: the tree. Adds to the estimate of wasted visits: a leaf that is new or jumped
-// makes the nodes above it outliers, which traversals visit in vain. The expected fraction of traversals that visit
-// such a node is its area divided by the sum of the areas of all leaves. Nodes below the limit OUTLIER_BOXES do not
-// count.
+// Item: a node of level 1, or with TREE_STALE_ONLY a listed node. argument: the tree, TREE_STALE_ONLY. Adds to the
+// estimate of wasted visits: a leaf that is new or jumped makes the nodes above it outliers, which traversals visit in
+// vain. The expected fraction of traversals that visit such a node is its area divided by the sum of the areas of all
+// leaves. Nodes below the limit OUTLIER_BOXES do not count.
 KERNEL(tree_outlier)
 {
-	const GLOBAL Tree* tree = p->tree + p->argument;
+	int t = p->argument & 1;
+	const GLOBAL Tree* tree = p->tree + t;
 	Float4 now = box_empty(), before = box_empty();
 	float area = 0.0f;
 	int leaves = 0, jumped = 0;
+	if (p->argument & TREE_STALE_ONLY)
+		i = p->stale_nodes[tree->begin[0] / ARITY + i];
 	for (int k = ARITY * (i + 1); FETCHES && k < ARITY * (i + 2) && k < tree->leaves; ++k)
 	{
 		int leaf = p->leaf[tree->leaf_begin + k];
@@ -135,7 +127,7 @@ KERNEL(tree_outlier)
 	for (int k = ARITY * i; k < ARITY * (i + 1) && k < tree->leaves; ++k)
 	{
 		int leaf = p->leaf[tree->leaf_begin + k], kind = p->collidable_kind[leaf];
-		if (kind == KIND_DEAD || tree_of_kind(kind) != p->argument)
+		if (kind == KIND_DEAD || tree_of_kind(kind) != t)
 			continue;
 		Float4 box = p->box[leaf], old = p->old_box[leaf];
 		jumped |= (p->collidable_flags[leaf] & COLLIDABLE_NEW_BOX) && !box_overlap(box, old);
@@ -156,7 +148,7 @@ KERNEL(tree_outlier)
 		return;
 	int outliers = traversals < 2.0f ? (int)((float)OUTLIER_UNIT * traversals) : 2 * OUTLIER_UNIT;
 	if (outliers > 0)
-		atomic_add_int(&p->counters->outliers[p->argument], outliers);
+		atomic_add_int(&p->counters->outliers[t], outliers);
 }
 
 // Requests a sort of the leaves if the wasted visits of this step cost more than the sort. Smaller costs are summed
