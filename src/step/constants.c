@@ -117,7 +117,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .couplings = pipeline->couplings,
 	    .paths = pipeline->paths,
 	    .kinematic = request->kinematic,
-	    .presses = pipeline->statics && (request->kinematic > 0 || pipeline->tethers || pipeline->counters.ways > 0),
+	    .presses = pipeline->statics && (request->kinematic > 0 || pipeline->tethers || pipeline->counters.presses > 0),
 	    .round = pipeline->round,
 	    .small = pipeline->continuous_way <= CONTINUOUS_TRAVEL * (0.5f * GRAIN_SIZE),
 	    .sleep = request->sleep || pipeline->sleeps,

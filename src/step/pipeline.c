@@ -225,10 +225,11 @@ static void skip(Pipeline* pipeline, const StepRequest* request)
 	pipeline_trim(pipeline);
 }
 
-// Counts the successive steps in which nothing moved.
+// Counts the successive steps in which nothing moved. While a body was pressed recently, each step counts the steps for
+// which its speed is still limited (stages/solve/press.h).
 static void count_quiet(Pipeline* pipeline)
 {
-	bool moved = pipeline->counters.movers != 0 || pipeline->edited;
+	bool moved = pipeline->counters.movers != 0 || pipeline->counters.presses != 0 || pipeline->edited;
 	pipeline->quiet = moved ? 0 : pipeline->quiet + (pipeline->quiet < QUIET_STEPS);
 	pipeline->edited = false;
 }
