@@ -123,7 +123,7 @@ check_rooms()
 # primitives are left out.
 check_names()
 {
-	find src cli scene view bench/peers tools tests -name '*.[ch]' -o -name '*.cpp' | grep -v '/primitives\.' |
+	find src cli scene view bench/peers bench/sleep tools tests -name '*.[ch]' -o -name '*.cpp' | grep -v '/primitives\.' |
 		sed -E 's/\.[a-z]+$//' | sort -u | awk -F/ '{ if ($NF in first && $NF != "main") print $0 " has the name of " first[$NF]; first[$NF] = $0 }'
 }
 
@@ -156,7 +156,7 @@ fi
 # expected complaint
 mkdir "$work/tree"
 # shellcheck disable=SC2086
-cp -r --parents src $beside bench/peers tests "$work/tree"
+cp -r --parents src $beside bench/peers bench/sleep tests "$work/tree"
 cd "$work/tree"
 expect()
 {
