@@ -3,8 +3,8 @@
 #
 # usage: bench/gpu.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
-#   FOLDER  gets parity.csv, programs.txt, bench.csv, queries.csv, rays.csv, frames.csv, machine.txt and the curves; default
-#           bench/results/DEVICE
+#   FOLDER  gets parity.csv, programs.txt, bench.csv, queries.csv, rays.csv, frames.csv, sleep.csv, machine.txt and the curves;
+#           default bench/results/DEVICE
 # Variables and their defaults:
 #   STEPS (300)      number of steps after which hashes are compared
 #   HEAVY (million)  scenes that the CPU simulates with one thread for only HEAVY_STEPS (10) steps
@@ -13,10 +13,13 @@
 #   FRAMES           scenes to draw
 #   QUERIES          scene for a million queries
 #   RAYS             scene whose rays are cast after every step
+#   SLEEP            cases of scree_sleep, measured on the GPU and, except ball, on two threads and on all threads of the CPU
+#   SLEEP_OPTIONS    further options of scree_sleep, for example --sleepers 99000
 #   CURVES=yes       also runs bench/curves.sh
 #   LIMIT (240)      maximum seconds of a run
 #   FIGURES=yes      draws the figures of docs/paper.md
-# BENCH, FRAMES, QUERIES or RAYS with the value none skips its part. Exit 1 when a hash or a picture differs or a row is invalid.
+# BENCH, FRAMES, QUERIES, RAYS or SLEEP with the value none skips its part. Exit 1 when a hash or a picture differs or a row is
+# invalid.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
@@ -142,6 +145,29 @@ if [ "$frames" != none ]; then
 	# each scene has four runs, with shared and with copied rows, on the CPU and on the GPU: all must have the same picture and hash
 	pictures=$(sed 1d "$folder/frames.csv" | cut -d, -f 1,11,12 | sort | uniq -c | grep -c '^ *4 ')
 	[ "$pictures" = "$(echo $frames | wc -w)" ] || { echo "frames.csv: pictures differ, or are missing"; differ=1; }
+fi
+cases=${SLEEP:-part balls ball all awake spawn ray sensor wake-created wake-hit wake-body wake-world}
+if [ "$cases" != none ]; then
+	for case in $cases; do
+		for threads in gpu 2 all; do
+			where=(--device cpu)
+			case $threads in
+			gpu) where=(--device "opencl:$device") ;;
+			2) where+=(--threads 2) ;;
+			esac
+			[ "$case $threads" = "ball 2" ] || [ "$case $threads" = "ball all" ] && continue
+			# shellcheck disable=SC2086
+			timeout "$limit" ${scree}_sleep --csv --case "$case" "${where[@]}" ${SLEEP_OPTIONS:-} ||
+				echo "$case,failed on ${where[*]},0"
+		done
+	done | awk '!/^case,/ || !headings++' | tee "$folder/sleep.csv"
+	# each row must be valid, and all rows of a world must have the same hash
+	awk -F, '
+		$1 == "case" { next }
+		$NF != 1 { print "sleep.csv: not valid: " $0; bad = 1; next }
+		($1, $2) in hash && hash[$1, $2] != $(NF - 1) { print "sleep.csv: hashes of " $1 " differ"; bad = 1 }
+		{ hash[$1, $2] = $(NF - 1); ++rows }
+		END { exit bad || !rows }' "$folder/sleep.csv" || differ=1
 fi
 if [ "${CURVES:-no}" = yes ]; then
 	bench/curves.sh "$folder" "opencl:$device" || differ=1
