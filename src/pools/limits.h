@@ -14,6 +14,7 @@
 // Value of the pool contact_color for a contact of color c that sleeps: it has no constraint. Its bodies keep the color's
 // bit, so it takes the same color when they wake. COLOR_KEPT(COLOR_KEPT(c)) is c.
 #define COLOR_KEPT(c) (-2 - (c))
+#define COLOR_WANTED  (-128)               // a sleeping contact that began to touch gets a color in this step
 #define COLOR_MASK    0x7fffffffffffffffUL // mask of a body with all colors taken
 #define COLOR_BITS    7 // bits of a color in a sort key; if there are hubs, keys of contacts also contain the hub
 

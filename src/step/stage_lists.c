@@ -361,7 +361,7 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 		runs_add_sort(list, edges, count, 32, 64);
 		runs_add(list, KERNEL_color_greedy, 0, 1, count, to);
 	}
-	if (to > 0)
+	if (to > 0 || pipeline->skips)
 		runs_add(list, KERNEL_color_reset, 0, edges, COUNT(began), 0);
 	runs_add(list, KERNEL_color_arrange, 0, 1, COUNT(changed), RUN_PAIR((to - 1) % MAX_ROUNDS + 1, bits));
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)

@@ -59,13 +59,17 @@ INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
 }
 
-// Returns whether an edge is a joint that gets no color, because it is in a chain or no color is free on both bodies. A
-// contact always finds a color, because the contacts of a body with too many constraints become spokes first.
+// Returns whether an edge gets no color: a joint in a chain, or a joint or a sleeping contact for which no color is free
+// on both bodies. Another contact always finds a color, because the contacts of a body with too many constraints become
+// spokes first.
 INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 {
 	if (edge_kind(edge) == CONSTRAINT_CONTACT)
-		return 0;
-	if (p->joint_spot[edge_slot(edge)] >= 0)
+	{
+		if (!p->step.sleep || !(p->contact_flags[edge_slot(edge)] & CONTACT_ASLEEP))
+			return 0;
+	}
+	else if (p->joint_spot[edge_slot(edge)] >= 0)
 		return 1;
 	Word64 mask_a = p->body[bodies.x].inv_mass > 0.0f ? p->color_mask[bodies.x] : (Word64)0;
 	Word64 mask_b = p->body[bodies.y].inv_mass > 0.0f ? p->color_mask[bodies.y] : (Word64)0;
@@ -209,10 +213,17 @@ KERNEL(color_wrap)
 	(void)i;
 }
 
-// Clears the claims on the bodies of an edge that began, because claims are zero between steps.
+// Clears the claims on the bodies of an edge that is listed, because claims are zero between steps. A sleeping contact,
+// which has not begun, keeps its color until its bodies wake.
 KERNEL(color_reset)
 {
-	Int2 bodies = edge_bodies(p, p->began[i]);
+	int edge = p->began[i], slot = edge_slot(edge);
+	Int2 bodies = edge_bodies(p, edge);
+	if (p->step.sleep && edge_kind(edge) == CONSTRAINT_CONTACT && p->contact_flags[slot] & CONTACT_ASLEEP)
+	{
+		int color = p->contact_color[slot];
+		p->contact_color[slot] = color >= COLORS ? COLOR_NONE : color >= 0 ? COLOR_KEPT(color) : color;
+	}
 	write_shared_word(&p->claim0[bodies.x], 0);
 	write_shared_word(&p->claim0[bodies.y], 0);
 	write_shared_word(&p->claim1[bodies.x], 0);

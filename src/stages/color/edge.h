@@ -62,12 +62,15 @@ INLINE void edge_enter(const Pools* p, int edge, Int2 bodies)
 	edge_mark_dirty(p, edge_kind(edge));
 }
 
-// Counts and lists a constraint that begins; it gets a color later in the step.
-INLINE void edge_begin(const Pools* p, int edge, Int2 bodies)
+// Counts a constraint that begins, and returns it. The caller, a LIST_KERNEL, lists it, so that it gets a color later in
+// the step.
+INLINE int edge_begin(const Pools* p, int edge, Int2 bodies)
 {
 	edge_enter(p, edge, bodies);
-	p->began[atomic_add_int(&p->counters->began, 1)] = edge;
+	return edge;
 }
+
+#define EDGE_NONE (-1) // no edge is listed
 
 INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 {

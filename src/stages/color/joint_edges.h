@@ -84,30 +84,30 @@ INLINE int joint_wanted(int flags)
 	return (flags & (wanted | JOINT_BROKEN)) == wanted;
 }
 
-// Begins the constraint of joint i.
-INLINE void joint_begin(const Pools* p, int i)
+// Begins the constraint of joint i, and returns it as edge_begin does.
+INLINE int joint_begin(const Pools* p, int i)
 {
 	p->joint_bodies[i] = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
-	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
+	return edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
 }
 
 // Begins or ends the constraint of joint i, or both if the joint must begin again.
-KERNEL(joint_update)
+LIST_KERNEL(joint_update, began, began)
 {
 	int flags = p->joint_flags[i], wanted = joint_wanted(flags);
 	if (p->counters->stalled)
-		return;
+		return EDGE_NONE;
 	if (!wanted || flags & JOINT_RESTARTS)
 		joint_rest(p, i);
 	if (p->counters->joint_moved || flags & JOINT_RESTARTS)
 		edge_mark_dirty(p, CONSTRAINT_JOINT);
 	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_NEW);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
-		return;
-	if (p->sleep[p->joint_data[i].body_a] | p->sleep[p->joint_data[i].body_b])
-		p->joint_flags[i] |= JOINT_ASLEEP;
-	else
-		joint_begin(p, i);
+		return EDGE_NONE;
+	if (!(p->sleep[p->joint_data[i].body_a] | p->sleep[p->joint_data[i].body_b]))
+		return joint_begin(p, i);
+	p->joint_flags[i] |= JOINT_ASLEEP;
+	return EDGE_NONE;
 }
 
 // Item: a joint. For a joint on a path, finds the point of the path that is nearest to anchor b. For a coupling,

@@ -224,7 +224,7 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Predicti
 // Completes a new manifold of a contact of which a body sleeps, or slept before this step. A body wakes if it begins to
 // touch an awake body or a collidable that moves, and if a touch of it ends. contact_sleep begins the constraint when
 // both bodies are awake. flags: flags of the contact before this step. moved: COLLIDABLE_* bits of the pair.
-RARE void narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
+RARE int narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
 {
 	Int2 bodies = p->contact_bodies[i];
 	int a = body_island(p, bodies.x), b = body_island(p, bodies.y);
@@ -236,10 +236,10 @@ RARE void narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
 		if (flags & CONTACT_ASLEEP)
 			contact_forget(p, i);
 		island_wake_parted(p, bodies, flags);
-		return;
+		return EDGE_NONE;
 	}
 	if (flags & (CONTACT_DETECTED | CONTACT_PENDING))
-		return;
+		return EDGE_NONE;
 	if (fixed ? moved & COLLIDABLE_SHIFTED : a < 0 || b < 0)
 		island_wake_both(p, bodies);
 	else if (!fixed && a != b)
@@ -247,23 +247,29 @@ RARE void narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
 	if (!(flags & CONTACT_TOUCHING))
 		p->contact_press[i] = 0;
 	p->contact_flags[i] |= CONTACT_ASLEEP;
+	if (flags & CONTACT_TOUCHING || p->contact_color[i] != COLOR_NONE)
+		return EDGE_NONE;
+	p->contact_color[i] = COLOR_WANTED;
+	raise_int(&p->counters->changed, 1);
+	return edge_of(CONSTRAINT_CONTACT, i);
 }
 
-RARE void narrow_phase_look(const Pools* p, int i, Word flags)
+// Returns the contact as an edge if it must be listed, else EDGE_NONE.
+RARE int narrow_phase_look(const Pools* p, int i, Word flags)
 {
 	Int2 pair = p->pair[i];
 	int moved = p->collidable_flags[pair.x] | p->collidable_flags[pair.y];
 	if (!(flags & CONTACT_FRESH) && (moved & COLLIDABLE_NEW_BOX) && narrow_phase_parted(p, i, pair))
-		return;
+		return EDGE_NONE;
 	if (flags & CONTACT_APART)
 	{
 		p->contact_flags[i] = flags & (CONTACT_APART | CONTACT_LASTS);
-		return;
+		return EDGE_NONE;
 	}
 	if (!(flags & CONTACT_ANEW))
 	{
 		p->contact_flags[i] = flags & ~CONTACT_LOOK;
-		return;
+		return EDGE_NONE;
 	}
 
 	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
@@ -283,24 +289,24 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute, moved, within);
 	Int2 bodies = p->contact_bodies[i];
 	if (p->step.sleep && (flags & CONTACT_ASLEEP || p->sleep[bodies.x] | p->sleep[bodies.y]))
-		narrow_phase_asleep(p, i, flags, moved);
-	else if (!touching)
+		return narrow_phase_asleep(p, i, flags, moved);
+	if (!touching)
 	{
 		contact_end(p, i);
 		island_wake_parted(p, bodies, flags);
+		return EDGE_NONE;
 	}
-	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)))
-	{
-		p->contact_press[i] = 0; // clears the presses that the contact handed on when it last touched
-		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), bodies);
-	}
+	if (flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING))
+		return EDGE_NONE;
+	p->contact_press[i] = 0; // clears the presses that the contact handed on when it last touched
+	return edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), bodies);
 }
 
 // prefetch distance, in contacts; a prefetch helps because the members of a pair are anywhere in the pools. Contacts of
 // another worker's chunk are not prefetched, because that worker changes their flags at the same time.
 #define NARROW_PHASE_SOON 12
 
-KERNEL(narrow_phase)
+LIST_KERNEL(narrow_phase, began, began)
 {
 	i = active_item(p, GROUPS_OF_CONTACTS, i);
 	int soon = i + NARROW_PHASE_SOON;
@@ -326,8 +332,7 @@ KERNEL(narrow_phase)
 		}
 	}
 	Word flags = p->contact_flags[i];
-	if (flags & CONTACT_LOOK)
-		narrow_phase_look(p, i, flags);
+	return flags & CONTACT_LOOK ? narrow_phase_look(p, i, flags) : EDGE_NONE;
 }
 
 #endif

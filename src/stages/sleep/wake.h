@@ -80,21 +80,21 @@ KERNEL(body_wake)
 }
 
 // Begins the constraint of a contact whose bodies woke. It has the color that it kept, or gets one later in the step.
-// Colors of an island stay free of conflicts: no constraint of its bodies begins while they sleep.
-INLINE void contact_rise(const Pools* p, int i, Int2 bodies)
+// Colors of an island stay free of conflicts: no constraint of its bodies begins while they sleep. Returns the edge if it
+// must be listed, else EDGE_NONE.
+INLINE int contact_rise(const Pools* p, int i, Int2 bodies)
 {
 	int edge = edge_of(CONSTRAINT_CONTACT, i), color = p->contact_color[i];
-	if (color == COLOR_NONE)
-	{
-		edge_begin(p, edge, bodies);
-		return;
-	}
 	edge_enter(p, edge, bodies);
-	p->contact_color[i] = COLOR_KEPT(color);
+	if (color == COLOR_NONE)
+		return edge;
+	p->contact_color[i] = color == COLOR_WANTED ? COLOR_NONE : COLOR_KEPT(color);
+	return EDGE_NONE;
 }
 
 // Ends the constraint of slot i if one of its bodies fell asleep, and keeps its values at the slot; or begins it again
-// if both are awake. keeps: whether its color is kept too; begins: statement that begins the constraint.
+// if both are awake. Returns the edge if it must be listed, else EDGE_NONE. keeps: whether its color is kept too; begins:
+// expression that begins the constraint and returns it.
 #define SLEEP_EDGE(kind, bodies, flags, ASLEEP, keeps, begins) \
 	int sleeps = p->sleep[bodies.x] | p->sleep[bodies.y];      \
 	if (sleeps && p->kind##_color[i] >= 0)                     \
@@ -107,29 +107,30 @@ INLINE void contact_rise(const Pools* p, int i, Int2 bodies)
 	else if (!sleeps && flags & ASLEEP)                        \
 	{                                                          \
 		p->kind##_flags[i] = flags & ~ASLEEP;                  \
-		begins;                                                \
-	}
+		return begins;                                         \
+	}                                                          \
+	return EDGE_NONE;
 
-KERNEL(contact_sleep)
+LIST_KERNEL(contact_sleep, began, began)
 {
 	Word flags = p->contact_flags[i];
 	if (i >= p->counters->live || p->pair[i].x < 0)
-		return;
+		return EDGE_NONE;
 	Int2 bodies = p->contact_bodies[i];
 	if (contact_is_live(p, i))
 		active_touch(p, GROUPS_OF_CONTACTS, i);
 	SLEEP_EDGE(contact, bodies, flags, CONTACT_ASLEEP, 1, contact_rise(p, i, bodies))
 }
 
-KERNEL(joint_sleep)
+LIST_KERNEL(joint_sleep, began, began)
 {
 	int flags = p->joint_flags[i];
 	if (!(flags & JOINT_THERE))
-		return;
+		return EDGE_NONE;
 	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
 	// if joints were changed, joint_update begins all joints that have no constraint
 	int begins = joint_wanted(flags) && p->counters->joints_dirty == 0;
-	SLEEP_EDGE(joint, bodies, flags, JOINT_ASLEEP, 0, if (begins) joint_begin(p, i))
+	SLEEP_EDGE(joint, bodies, flags, JOINT_ASLEEP, 0, begins ? joint_begin(p, i) : EDGE_NONE)
 }
 
 // Item: a joint, in a step whose substeps have another length than those of the last step. Scales the impulses of
