@@ -87,11 +87,20 @@ static scree_status lap(Pipeline* pipeline, const QueryRequest* q)
 	return SCREE_OK;
 }
 
+// Writes the generations that changed since the last query.
 static scree_status send_names(Backend* b, PoolId pool, const Names* names, uint64_t* sent)
 {
 	if (*sent == names->version || names->count == 0)
 		return SCREE_OK;
-	TRY(b->f->write(b, pool, 0, names->count, names->generation));
+	bool few = *sent > 0 && names->version - *sent <= (uint64_t)names->logged;
+	for (uint64_t k = few ? *sent + 1 : 1; few && k <= names->version; ++k)
+	{
+		int slot = names->changed[k % (uint64_t)names->logged];
+		if (slot < names->count)
+			TRY(b->f->write(b, pool, slot, 1, names->generation + slot));
+	}
+	if (!few)
+		TRY(b->f->write(b, pool, 0, names->count, names->generation));
 	*sent = names->version;
 	return SCREE_OK;
 }

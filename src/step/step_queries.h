@@ -7,8 +7,10 @@
 typedef struct // generations of the handles of all slots
 {
 	const uint32_t* generation;
-	int count;        // number of slots
-	uint64_t version; // changes whenever a generation changes
+	int count;          // number of slots
+	uint64_t version;   // number of changes of generations
+	const int* changed; // slots of the last changes; change number n is entry n % logged
+	int logged;         // number of changes that are logged
 } Names;
 
 typedef struct // arguments of a call that executes queries

@@ -39,6 +39,8 @@ void slots_close(Slots* slots)
 		scree_release(slots->free[level]);
 }
 
+static void log_change(Slots* slots, int slot) { slots->changed[++slots->changes % SLOT_LOGGED] = slot; }
+
 static void push(Slots* slots, int slot)
 {
 	++slots->free_count;
@@ -72,7 +74,7 @@ int slots_allocate(Slots* slots)
 {
 	int slot = slots->free_count > 0 ? pop(slots) : slots->used++;
 	++slots->generation[slot];
-	++slots->changes;
+	log_change(slots, slot);
 	++slots->alive;
 	return slot;
 }
@@ -80,7 +82,7 @@ int slots_allocate(Slots* slots)
 void slots_free(Slots* slots, int slot)
 {
 	++slots->generation[slot];
-	++slots->changes;
+	log_change(slots, slot);
 	--slots->alive;
 	push(slots, slot);
 }
@@ -88,7 +90,7 @@ void slots_free(Slots* slots, int slot)
 void slots_put_back(Slots* slots, int slot, int used)
 {
 	--slots->generation[slot];
-	++slots->changes;
+	log_change(slots, slot);
 	--slots->alive;
 	if (slot >= used)
 		--slots->used;

@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#define SLOT_LOGGED 32 // number of changes that are logged
+
 #define SLOT_LEVELS 5 // levels of words with 64 bits: enough for 2^30 slots
 
 typedef struct
@@ -13,7 +15,8 @@ typedef struct
 	// level 0: a set bit for each free slot below `used`; other levels: a set bit for each nonzero word one level below
 	uint64_t* free[SLOT_LEVELS];
 	int free_count, used, capacity, alive;
-	uint64_t changes; // number of changes of generations
+	uint64_t changes;         // number of changes of generations
+	int changed[SLOT_LOGGED]; // slots of the last changes; change number n is entry n % SLOT_LOGGED
 } Slots;
 
 // Reserves memory, so that the next `more` allocations cannot fail. Returns false if there is no memory.

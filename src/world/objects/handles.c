@@ -49,7 +49,10 @@ scree_status check_body_once(const scree_world* world, ArgumentPlace at, const c
 	return had ? SCREE_OK : refuse_stale(at, member, body.index, body.generation);
 }
 
-static Names names_of(const Slots* slots) { return (Names){slots->generation, slots->used, slots->changes}; }
+static Names names_of(const Slots* slots)
+{
+	return (Names){slots->generation, slots->used, slots->changes, slots->changed, SLOT_LOGGED};
+}
 
 Names collidable_names(const scree_world* world) { return names_of(&world->collidables); }
 Names body_names(const scree_world* world) { return names_of(&world->bodies); }
