@@ -103,7 +103,7 @@ static const Saved saved[] = {
     {"slow_bounce", true},  {"heavy_joint", true},        {"tiny_report", true},      {"same_place", true},
     {"fast_body", true},    {"infinite_drag", true},      {"far_anchor", true},       {"heavy_link", true},
     {"branch_pivot", true}, {"tiny_gap", true},           {"tiny_share", true},       {"moved_anchor", false},
-    {"woken_gap", false},   {"destroyed_sleeper", false}, {"pressed_sleeper", false},
+    {"woken_gap", false},   {"destroyed_sleeper", false}, {"pressed_sleeper", false}, {"joined_sleepers", false},
 };
 
 // Runs saved programs with several choices of reads, or with flushed denormals.

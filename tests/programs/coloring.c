@@ -13,6 +13,7 @@
 typedef struct // state of the bodies, and sums over their constraints
 {
 	BodyState* state;
+	int* sleep;      // not 0: the body sleeps
 	int* touching;   // number of constraints of each body
 	uint64_t* masks; // colors of the constraints of each body
 } Counted;
@@ -63,6 +64,23 @@ static bool count_kind(Counted* counted, const Constraints* s, char sentence[256
 		         s->bodies[k].x, s->bodies[k].y, color);
 		return false;
 	}
+	return true;
+}
+
+// Returns whether only sleeping contacts keep a color. The relay counts the colors of an awake body, and would wait for
+// a contact that is not solved (src/opencl/forms/registers.cl).
+static bool kept_fit(const Counted* counted, const Constraints* s, char sentence[256])
+{
+	for (int k = 0; k < s->count; ++k)
+		for (int side = 0; side < 2 && s->colors[k] < COLOR_NONE; ++side)
+		{
+			int body = side ? s->bodies[k].y : s->bodies[k].x;
+			if (!(counted->state[body].inv_mass > 0.0f) || counted->sleep[body] != 0)
+				continue;
+			snprintf(sentence, 256, "%s %d keeps color %d for body %d, which does not sleep", s->name, k,
+			         COLOR_KEPT(s->colors[k]), body);
+			return false;
+		}
 	return true;
 }
 
@@ -125,13 +143,14 @@ bool state_colored(scree_world* world, char sentence[256])
 #undef CONSTRAINT_KIND
 	};
 	size_t used = (size_t)world->bodies.used + 1;
-	Counted counted = {read_items(world, POOL_body, world->bodies.used), calloc(used, sizeof(int)),
+	Counted counted = {read_items(world, POOL_body, world->bodies.used),
+	                   read_items(world, POOL_sleep, world->bodies.used), calloc(used, sizeof(int)),
 	                   calloc(used, sizeof(uint64_t))};
 	if (!counted.touching || !counted.masks)
 		abort();
 	bool fits = true;
 	for (int kind = 0; kind < CONSTRAINT_KINDS && fits; ++kind)
-		fits = count_kind(&counted, &kinds[kind], sentence);
+		fits = count_kind(&counted, &kinds[kind], sentence) && kept_fit(&counted, &kinds[kind], sentence);
 	fits = fits && bodies_fit(world, &counted, sentence) && hubs_fit(&counted, &kinds[CONSTRAINT_CONTACT], sentence);
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
@@ -140,6 +159,7 @@ bool state_colored(scree_world* world, char sentence[256])
 		free(kinds[kind].bodies);
 	}
 	free(counted.state);
+	free(counted.sleep);
 	free(counted.touching);
 	free(counted.masks);
 	return fits;

@@ -68,6 +68,8 @@ INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 	{
 		if (!p->step.sleep || !(p->contact_flags[edge_slot(edge)] & CONTACT_ASLEEP))
 			return 0;
+		if (!edge_rests(p, bodies))
+			return 1;
 	}
 	else if (p->joint_spot[edge_slot(edge)] >= 0)
 		return 1;

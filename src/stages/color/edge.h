@@ -81,6 +81,15 @@ INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 	atomic_and_word64(&p->color_mask[bodies.y], others);
 }
 
+// Returns whether all bodies of a contact that can move sleep. Only such a contact may keep a color while it has no
+// constraint, because the relay counts the colors of awake bodies (src/opencl/forms/registers.cl). A body of one island
+// may wake before the search that joins the island to another one that it touches.
+INLINE int edge_rests(const Pools* p, Int2 bodies)
+{
+	return (p->sleep[bodies.x] || !(p->body[bodies.x].inv_mass > 0.0f)) &&
+	       (p->sleep[bodies.y] || !(p->body[bodies.y].inv_mass > 0.0f));
+}
+
 // Ends the constraint of slot i of a kind, which has begun; its kept values stay. keeps: whether a color below COLORS is
 // kept too.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                         \

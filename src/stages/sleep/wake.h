@@ -119,6 +119,13 @@ LIST_KERNEL(contact_sleep, began, began)
 	Int2 bodies = p->contact_bodies[i];
 	if (contact_is_live(p, i))
 		active_touch(p, GROUPS_OF_CONTACTS, i);
+	int color = p->contact_color[i];
+	if (color < COLOR_NONE && color != COLOR_WANTED && p->sleep[bodies.x] | p->sleep[bodies.y] &&
+	    !edge_rests(p, bodies))
+	{
+		edge_free_color(p, bodies, COLOR_KEPT(color));
+		p->contact_color[i] = COLOR_NONE;
+	}
 	SLEEP_EDGE(contact, bodies, flags, CONTACT_ASLEEP, 1, contact_rise(p, i, bodies))
 }
 
