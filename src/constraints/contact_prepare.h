@@ -52,7 +52,7 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 		feature[1] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot + 1);
 		ContactPoints rolling =
 		    rolling_step(p, a, b, manifold, flags, feature, load(&contact_row(p, normal_impulse1, i), 0),
-		                 load(&contact_row(p, normal_impulse2, i), 0));
+		                 load(&contact_row(p, normal_impulse2, i), 0), &points);
 		points = LANES > 1 ? contact_points_blend(points, rolling, has_rolling) : rolling;
 	}
 	Vec zero = vec(splat(0.0f), splat(0.0f));

@@ -124,9 +124,10 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 
 INLINE Vec rolling_between(Vec a, Vec b, Real share) { return vec_add(a, vec_scale(share, vec_sub(b, a))); }
 
-// Returns the points of a contact for the step; load1, load2: N s, normal impulses of the points in a substep.
+// Returns the points of a contact for the step; load1, load2: N s, normal impulses of the points in a substep. still: the
+// held points, which the caller of a wide kernel has computed for other lanes; with one lane they are computed here.
 INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[8], const Real manifold[16], Int flags,
-                                  const Int feature[2], Real load1, Real load2)
+                                  const Int feature[2], Real load1, Real load2, const ContactPoints* still)
 {
 	Real body_a[8], body_b[8];
 	gather_fixed_rows8((GLOBAL float*)p->body, real_bits(a[7]), body_a);
@@ -155,7 +156,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	Real most = blend(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);
 	Real lever = -reach * minimum(maximum(turn, -most), most);
 	Vec along = vec_scale(lever, vec(points.normal.y, -points.normal.x));
-	ContactPoints held = contact_points_held(a, b, manifold), both = points;
+	ContactPoints held = LANES > 1 ? *still : contact_points_held(a, b, manifold), both = points;
 	both.normal = rolling_between(held.normal, points.normal, share);
 	both.offset = rolling_between(held.offset, points.offset, share);
 	for (int k = 0; k < 2; ++k)
