@@ -8,15 +8,15 @@
 import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
-import {bytes_in_order, follow, is_alignment, is_local, move_to_front} from "./columns.mjs";
+import {bytes_in_order, follow, is_alignment, is_local, is_size, move_to_front, size_bytes} from "./columns.mjs";
 
 const [, , sources, scalar, simd, folder] = process.argv;
 const limit = 150000;
 const compressed = (text) => brotliCompressSync(text, {params: {[constants.BROTLI_PARAM_QUALITY]: 11}}).length;
 
-// Returns a module whose exports have numbers as names if they are functions of the table in scree.js: the numbers of
-// their lines. This saves 0.5 kB.
-function number_exports(wasm, table) {
+// Returns a module whose exports have numbers as names if they are functions of the table in scree.js, which saves 0.5
+// kB: the numbers of their lines. The sizes of functions get the length that columns.mjs expects.
+function prepare(wasm, table) {
 	const lines = new Map(table.split("\n").map((line, k) => [`scree_${line.split(" ")[0]}`, String(k)]));
 	const bytes = (value) => value < 128 ? [value] : [value & 127 | 128, ...bytes(value >> 7)];
 	const parts = [wasm.subarray(0, 8)];
@@ -41,6 +41,15 @@ function number_exports(wasm, table) {
 			}
 			parts.push(Buffer.from([section, ...bytes(list.length), ...list]));
 		}
+		else if (section === 10) {
+			const count = number(), list = [Buffer.from(bytes(count))];
+			for (let k = 0; k < count; ++k) {
+				const length = number();
+				list.push(Buffer.from(size_bytes(length)), wasm.subarray(at, at += length));
+			}
+			const all = Buffer.concat(list);
+			parts.push(Buffer.from([section, ...bytes(all.length)]), all);
+		}
 		else
 			parts.push(wasm.subarray(start, end));
 		at = end;
@@ -48,54 +57,59 @@ function number_exports(wasm, table) {
 	return Buffer.concat(parts);
 }
 
-// Sets the alignment of each load and store to one byte, and returns the module. An alignment is a hint that does not
-// change results; for x86-64, V8 makes the same machine code without it.
-function drop_alignments(wasm) {
-	let at = 0;
-	follow(wasm.length, (column) => {
-		if (is_alignment(column))
-			wasm[at] = 0;
-		return wasm[at++];
-	}, () => {});
-	return wasm;
-}
-
 // Letters of different classes. Brotli predicts a letter of a text from the classes of the two letters before it (RFC
 // 7932, 7.1). With one class for each of the most frequent bytes, predictions are better, which saves 0.6 %.
 const CLASSES = "!\"%(),.=0ABab \t\x01";
 
-// Returns a column as text for join(). The most frequent bytes have the letters of CLASSES; for the other bytes,
-// letters in ascending order represent bytes in ascending order, and rare bytes have letters of two bytes. Characters
-// that have a meaning between backticks are not used as letters.
+// Returns a column as text for join(). The most frequent entries have the letters of CLASSES; for the other entries,
+// letters in ascending order represent entries in ascending order, and rare entries have letters of two bytes.
+// Characters that have a meaning between backticks are not used as letters.
 function write_column(column) {
-	const times = new Array(256).fill(0), meaning = [10, 13, 36, 92, 96];
-	for (const byte of column)
-		++times[byte];
+	const times = new Array(512).fill(0), meaning = [10, 13, 36, 92, 96];
+	for (const entry of column)
+		++times[entry];
 	const first = Array.from(CLASSES, (letter) => letter.charCodeAt(0));
 	const short = [...Array(128).keys()].filter((code) => code > 0 && !meaning.includes(code) && !first.includes(code));
-	const used = [...times.keys()].filter((byte) => times[byte]).sort((a, b) => times[b] - times[a] || a - b);
+	const used = [...times.keys()].filter((entry) => times[entry]).sort((a, b) => times[b] - times[a] || a - b);
 	const letters = [], ascending = (list) => list.sort((a, b) => a - b);
-	used.splice(0, first.length).forEach((byte, k) => letters[byte] = String.fromCharCode(first[k]));
-	ascending(used.splice(0, short.length)).forEach((byte, k) => letters[byte] = String.fromCharCode(short[k]));
-	ascending(used).forEach((byte, k) => letters[byte] = String.fromCharCode(0xa1 + k));
-	for (let byte = letters.length - 2; byte >= 0; --byte)
-		letters[byte] ??= letters[byte + 1];
-	return `[\`${letters.join("")}\`, \`${column.map((byte) => letters[byte]).join("")}\`]`;
+	used.splice(0, first.length).forEach((entry, k) => letters[entry] = String.fromCharCode(first[k]));
+	ascending(used.splice(0, short.length)).forEach((entry, k) => letters[entry] = String.fromCharCode(short[k]));
+	ascending(used).forEach((entry, k) => letters[entry] = String.fromCharCode(0xa1 + k));
+	for (let entry = letters.length - 2; entry >= 0; --entry)
+		letters[entry] ??= letters[entry + 1];
+	return `[\`${letters.join("")}\`, \`${column.map((entry) => letters[entry]).join("")}\`]`;
 }
 
-function write_module(wasm, head) {
+// Returns the columns of a module. Sets the alignment of each load and store to one byte: it is a hint that does not
+// change results; for x86-64, V8 makes the same machine code without it.
+function split(wasm) {
 	const columns = [];
 	let at = 0, recent;
-	follow(wasm.length, (column) => {
-		const byte = wasm[at++], list = columns[column] ??= [];
-		if (is_local(column))
-			move_to_front(recent, list[list.push(recent.indexOf(byte)) - 1]);
-		else
-			list.push(byte);
-		return byte;
-	}, () => recent = bytes_in_order());
-	return `${head}export const wasm = () => join(${wasm.length}, [${columns.map(write_column).join(",\n")}]);\n`;
+	follow(wasm.length, {
+		take(column, opcode) {
+			if (is_alignment(column))
+				wasm[at] = 0;
+			const byte = wasm[at++], entry = opcode && byte === 253 ? 256 + wasm[at++] : byte, list = columns[column] ??= [];
+			if (is_local(column))
+				move_to_front(recent, list[list.push(recent.indexOf(byte)) - 1]);
+			else if (!is_size(column))
+				list.push(entry);
+			return entry;
+		},
+		next() {
+			let end = at;
+			while (wasm[end] > 127)
+				++end;
+			return wasm[end + 1];
+		},
+		begin: () => recent = bytes_in_order(),
+		end() {},
+	});
+	return Array.from(columns, (column) => column ?? []); // some columns of ARITHMETIC have no number
 }
+
+const write_module = (length, columns, head) =>
+	`${head}export const wasm = () => join(${length}, [${columns.map(write_column).join(",\n")}]);\n`;
 
 // Debian's terser does not start without this NODE_PATH
 const minify = (from, to) => execFileSync("terser", [from, "--compress", "--mangle", "--module", "--comments", "/^ SPDX/", "-o", to],
@@ -116,8 +130,8 @@ rmSync(`${folder}/columns.js`);
 const table = readFileSync(`${simd}/package/scree.js`, "utf8").match(/const FUNCTIONS = `([^`]*)`/)[1];
 let good = true;
 for (const [form, build] of [["scalar", scalar], ["simd", simd]]) {
-	const wasm = drop_alignments(number_exports(readFileSync(`${build}/engine.wasm`), table));
-	const module = write_module(wasm, head);
+	const wasm = prepare(readFileSync(`${build}/engine.wasm`), table), columns = split(wasm);
+	const module = write_module(wasm.length, columns, head);
 	writeFileSync(`${folder}/${form}.js`, module);
 	writeFileSync(`${folder}/${form}.wasm`, wasm);
 	const bytes = compressed(module) + compressed(script);
