@@ -8,7 +8,7 @@
 import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
-import {bytes_in_order, follow, is_alignment, is_local, is_size, move_to_front, size_bytes} from "./columns.mjs";
+import {follow, is_alignment, is_size, join, move_to_front, size_bytes, typed} from "./columns.mjs";
 
 const [, , sources, scalar, simd, folder] = process.argv;
 const limit = 150000;
@@ -61,11 +61,11 @@ function prepare(wasm, table) {
 // 7932, 7.1). With one class for each of the most frequent bytes, predictions are better, which saves 0.6 %.
 const CLASSES = "!\"%(),.=0ABab \t\x01";
 
-// Returns a column as text for join(). The most frequent entries have the letters of CLASSES; for the other entries,
+// Returns a column for join(). The most frequent entries have the letters of CLASSES; for the other entries,
 // letters in ascending order represent entries in ascending order, and rare entries have letters of two bytes.
 // Characters that have a meaning between backticks are not used as letters.
 function write_column(column) {
-	const times = new Array(512).fill(0), meaning = [10, 13, 36, 92, 96];
+	const times = new Array(1024).fill(0), meaning = [10, 13, 36, 92, 96];
 	for (const entry of column)
 		++times[entry];
 	const first = Array.from(CLASSES, (letter) => letter.charCodeAt(0));
@@ -77,24 +77,36 @@ function write_column(column) {
 	ascending(used).forEach((entry, k) => letters[entry] = String.fromCharCode(0xa1 + k));
 	for (let entry = letters.length - 2; entry >= 0; --entry)
 		letters[entry] ??= letters[entry + 1];
-	return `[\`${letters.join("")}\`, \`${column.map((entry) => letters[entry]).join("")}\`]`;
+	return [letters.join(""), column.map((entry) => letters[entry]).join("")];
 }
 
 // Returns the columns of a module. Sets the alignment of each load and store to one byte: it is a hint that does not
 // change results; for x86-64, V8 makes the same machine code without it.
 function split(wasm) {
 	const columns = [];
-	let at = 0, recent;
+	let at = 0;
+	// returns the local at `at`, an index of one or two bytes
+	const local = () => wasm[at] < 128 ? wasm[at] : wasm[at] & 127 | wasm[at + 1] << 7;
 	follow(wasm.length, {
-		take(column, opcode) {
+		take(column, locals) {
 			if (is_alignment(column))
 				wasm[at] = 0;
-			const byte = wasm[at++], entry = opcode && byte === 253 ? 256 + wasm[at++] : byte, list = columns[column] ??= [];
-			if (is_local(column))
-				move_to_front(recent, list[list.push(recent.indexOf(byte)) - 1]);
-			else if (!is_size(column))
+			let entry = wasm[at++];
+			if (locals && entry === 253)
+				entry = 256 + wasm[at++];
+			else if (locals && entry > 31 && entry < 35) // the opcodes that use a local
+				entry = typed(entry, locals[local()]);
+			const list = columns[column] ??= [];
+			if (!is_size(column))
 				list.push(entry);
 			return entry;
+		},
+		local(column, list) {
+			const place = list.indexOf(local()), bytes = wasm[at] < 128 ? 1 : 2;
+			(columns[column] ??= []).push(place);
+			move_to_front(list, place);
+			at += bytes;
+			return bytes;
 		},
 		next() {
 			let end = at;
@@ -102,14 +114,18 @@ function split(wasm) {
 				++end;
 			return wasm[end + 1];
 		},
-		begin: () => recent = bytes_in_order(),
 		end() {},
 	});
 	return Array.from(columns, (column) => column ?? []); // some columns of ARITHMETIC have no number
 }
 
-const write_module = (length, columns, head) =>
-	`${head}export const wasm = () => join(${length}, [${columns.map(write_column).join(",\n")}]);\n`;
+function write_module(wasm, head) {
+	const columns = split(wasm).map(write_column);
+	if (!wasm.equals(join(wasm.length, columns)))
+		throw new Error("columns.mjs does not restore the engine");
+	const texts = columns.map(([letters, text]) => `[\`${letters}\`, \`${text}\`]`);
+	return `${head}export const wasm = () => join(${wasm.length}, [${texts.join(",\n")}]);\n`;
+}
 
 // Debian's terser does not start without this NODE_PATH
 const minify = (from, to) => execFileSync("terser", [from, "--compress", "--mangle", "--module", "--comments", "/^ SPDX/", "-o", to],
@@ -130,8 +146,7 @@ rmSync(`${folder}/columns.js`);
 const table = readFileSync(`${simd}/package/scree.js`, "utf8").match(/const FUNCTIONS = `([^`]*)`/)[1];
 let good = true;
 for (const [form, build] of [["scalar", scalar], ["simd", simd]]) {
-	const wasm = prepare(readFileSync(`${build}/engine.wasm`), table), columns = split(wasm);
-	const module = write_module(wasm.length, columns, head);
+	const wasm = prepare(readFileSync(`${build}/engine.wasm`), table), module = write_module(wasm, head);
 	writeFileSync(`${folder}/${form}.js`, module);
 	writeFileSync(`${folder}/${form}.wasm`, wasm);
 	const bytes = compressed(module) + compressed(script);
