@@ -29,10 +29,10 @@ const ADD = 106, ROTATE = 120; // first and last opcode of 32-bit arithmetic wit
 const GET = 32, LOCALS = 512, INT32 = 127; // first opcode that uses a local; first entry of CODE for these; type of 32-bit integers
 const SIZE_BYTES = 3;
 
-// Operands of opcodes, one letter for each. b: type of a block; o: offset; n: 32-bit number; N: 64-bit number; x: index
-// of a label, a function or a lane; a: alignment; t: a number k, before k + 1 labels; f, d, v: 4, 8, 16 bytes of a
-// float, a double, a vector; m: mask of a shuffle. Opcodes of vectors begin at 256. Opcodes that are not listed have no
-// operands.
+// Operands of opcodes, one letter for each. b: type of a block; o: offset; n: 32-bit number; N: 64-bit number; a:
+// alignment; x: index of a label, a function or a lane; t: a number k, before k + 1 labels; f: 4 bytes of a float; d: 8
+// bytes of a double; v: 16 bytes of a vector; m: mask of a shuffle. Opcodes of vectors begin at 256. Opcodes that are
+// not listed have no operands.
 const OPERANDS = {x: CODE, b: TYPES, o: OFFSETS, n: NUMBERS, N: BYTES, t: LABELS, a: ALIGNMENTS, m: MASKS, f: -4, d: -8, v: -16};
 const operands = new Array(512).fill([]);
 for (const line of ["b 2-4", "x 12-13 16-16 35-36 63-64 277-290", "xx 17-17", "t 14-14",
