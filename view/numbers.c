@@ -48,11 +48,15 @@ static void add_motion(const Inspected* i, Numbers* numbers)
 #include "src/pools/body_values.def"
 }
 
+static const char* state_name(const Inspected* i)
+{
+	return i->def.disabled ? ", disabled" : i->def.asleep ? ", asleep" : "";
+}
+
 static void add_body(const Inspected* i, Numbers* numbers)
 {
 	static const char* const types[] = {"static", "kinematic", "dynamic"};
-	add(numbers, "%s%s, %d contact%s", types[i->def.type], i->def.disabled ? ", disabled" : "", i->contacts,
-	    i->contacts == 1 ? "" : "s");
+	add(numbers, "%s%s, %d contact%s", types[i->def.type], state_name(i), i->contacts, i->contacts == 1 ? "" : "s");
 	add(numbers, "body %u generation %u, %d shape%s", i->body.index, i->body.generation, i->shapes,
 	    i->shapes == 1 ? "" : "s");
 }
@@ -90,8 +94,8 @@ void numbers_write_short(const Inspected* i, Numbers* numbers)
 	if (scree_body_is_null(i->body))
 		add(numbers, "%s", i->sees ? "sensor" : "without a body");
 	else if (i->def.type == SCREE_BODY_DYNAMIC)
-		add(numbers, "%s, %.4g kg, %d contact%s", types[i->def.type], (double)i->mass.mass, i->contacts,
-		    i->contacts == 1 ? "" : "s");
+		add(numbers, "%s%s, %.4g kg, %d contact%s", types[i->def.type], state_name(i), (double)i->mass.mass,
+		    i->contacts, i->contacts == 1 ? "" : "s");
 	else
 		add(numbers, "%s, %d contact%s", types[i->def.type], i->contacts, i->contacts == 1 ? "" : "s");
 	if (i->sees)

@@ -196,6 +196,7 @@ EMSCRIPTEN_KEEPALIVE const double* page_numbers(void)
 	                          (double)t.solve,
 	                          page.player.characters.taken,
 	                          c.frozen_bodies,
+	                          c.asleep_bodies,
 	                          (double)scree_memory()};
 	memcpy(page.numbers, numbers, sizeof numbers);
 	return page.numbers;

@@ -32,6 +32,24 @@ async function checkNumbers(browser, check) {
 	check((await text(browser, 'body')) === '', 'another world forgets what was selected');
 }
 
+// Checks that the numbers of a body show that it sleeps, and that a drag wakes it.
+async function checkSleep(browser, check) {
+	await begin(browser, 'dominoes', [['lines', '1'], ['length', '12']], 150);
+	const asleep = () => browser.run(`return scree.state.asleep`);
+	const at = await overBody(browser, 40); // the 21st domino, which stands
+	await browser.point('mouse', 'hover', at.x, at.y);
+	const few = await text(browser, 'tip');
+	check(/^dynamic, asleep, .* kg/m.test(few), `numbers of a sleeper under the cursor: ${few}`);
+	await click(browser, at);
+	check(/^dynamic, asleep, \d+ contact/m.test(await text(browser, 'body')), `numbers of a selected sleeper: ${await text(browser, 'body')}`);
+	const before = await asleep();
+	await browser.point('mouse', 'down', at.x, at.y);
+	await browser.point('mouse', 'move', at.x, at.y - 60);
+	await step(browser, 5);
+	check((await asleep()) < before && /^dynamic, \d+ contact/m.test(await text(browser, 'body')), `a drag wakes: ${await text(browser, 'body')}`);
+	await browser.point('mouse', 'up', at.x, at.y - 60);
+}
+
 // Checks that a followed body is in the middle of the picture until the user moves the picture.
 async function checkFollow(browser, check) {
 	await begin(browser, 'pile', SMALL, 60);
@@ -128,6 +146,7 @@ async function checkThumbnails(browser, address, check) {
 export async function checkLooks(browser, address, check) {
 	await checkThumbnails(browser, address, check);
 	await checkNumbers(browser, check);
+	await checkSleep(browser, check);
 	await checkFollow(browser, check);
 	await checkGone(browser, check);
 	await checkLegends(browser, check);

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser, startServer, stop } from './browser.mjs';
 import { checkHands, checkRecord, replay } from './tools.mjs';
-import { checkHashes, nativeHashes } from './hashes.mjs';
+import { checkHashes, checkSleepers, nativeHashes } from './hashes.mjs';
 import { checkLooks } from './inspect.mjs';
 import { checkPictures } from './pictures.mjs';
 
@@ -66,6 +66,7 @@ try {
 		await timed(`hashes with ${form}`, async () => {
 			await openForm(browser, address, form, words);
 			await checkHashes(browser, scenes, expected, check);
+			await checkSleepers(browser, scree, scenes, check);
 		});
 	await timed('without a worker', async () => {
 		await browser.go(`${common}?apart=0#billiards`);

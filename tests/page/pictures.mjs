@@ -16,6 +16,7 @@ const CASES = [
 	{ name: 'ragdolls', steps: 80, settings: [['columns', '3'], ['rows', '2']], paint: 'speed', layers: ['joints', 'contacts', 'velocities'] },
 	{ name: 'pond', steps: 40, settings: [['fish', '100'], ['stones', '60']], paint: 'attribute', layers: ['fields', 'sensors', 'boxes'] },
 	{ name: 'drift', steps: 10, settings: [['boxes', '9000']], paint: 'speed', layers: ['normals'] }, // small bodies, drawn as splats
+	{ name: 'dominoes', steps: 150, settings: [], paint: 'attribute', layers: [] }, // most bodies are asleep, and dim
 	{ name: 'lidar', steps: 12, settings: [['robots', '20'], ['rays', '40']], paint: 'graph', layers: ['rays', 'sensors'] },
 ];
 

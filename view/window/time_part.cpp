@@ -119,7 +119,7 @@ void part_times(const Viewer* v)
 	for (int k = 0; k < STAGE_TIMES; ++k)
 		draw_bar(stage_names[k], session->stages[k], session->step);
 	const scree_counters* c = &session->counters;
-	ImGui::Text("%d bodies, %d dynamic", c->bodies, c->dynamic_bodies);
+	ImGui::Text("%d bodies, %d dynamic, %d asleep", c->bodies, c->dynamic_bodies, c->asleep_bodies);
 	ImGui::Text("%d contacts, %d touching, %d new", c->contacts, c->touching, c->new_contacts);
 	ImGui::Text("%d colors, %d contacts of hubs", c->colors, c->spokes);
 	ImGui::Text("overlap %.4f m, deepest %.4f m", static_cast<double>(c->penetration),

@@ -3,7 +3,7 @@
 
 const NUMBERS = [ // names of the numbers that page_numbers returns, in the same order
 	'step', 'bodies', 'contacts', 'touching', 'colors', 'ms', 'dt', 'penetration',
-	'solve', 'taken', 'frozenBodies', 'memory',
+	'solve', 'taken', 'frozenBodies', 'asleep', 'memory',
 ];
 
 export class Core {

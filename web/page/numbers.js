@@ -8,6 +8,7 @@ const milliseconds = (value) => value.toFixed(value < 10 ? 2 : 1);
 
 const ROWS = [
 	['bodies', 'bodies', (s) => whole.format(s.bodies)],
+	['asleep', 'asleep', (s) => whole.format(s.asleep), 'bodies at rest that sleep; they are dim'],
 	['contacts', 'contacts', (s) => whole.format(s.contacts), 'pairs of collidables whose enlarged boxes overlap'],
 	['touching', 'touching', (s) => whole.format(s.touching)],
 	['frames', 'fps', (s) => (s.elapsed > 0 ? whole.format((1000 * s.frames) / s.elapsed) : '–'), 'frames drawn per second'],
