@@ -876,17 +876,18 @@ SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body bo
 // Does nothing for static, kinematic and disabled bodies, nor in a world that does not sleep.
 SCREE_API scree_status scree_bodies_set_awake(scree_world* world, const scree_body* bodies, const bool* awake,
                                               int count);
-// Wakes one body, or puts it to sleep, as above.
+// Wakes one body, or puts it to sleep, as scree_bodies_set_awake does.
 SCREE_API scree_status scree_body_set_awake(scree_world* world, scree_body body, bool awake);
-// The same for all bodies with a collidable that overlaps a box, which is at least 2 mm wide and high.
+// Does the same as scree_bodies_set_awake for all bodies with a collidable that overlaps a box, which is at least 2 mm
+// wide and high.
 SCREE_API scree_status scree_world_set_box_awake(scree_world* world, scree_box box, bool awake);
-// The same for all bodies of a world.
+// Does the same as scree_bodies_set_awake for all bodies of a world.
 SCREE_API scree_status scree_world_set_awake(scree_world* world, bool awake);
 
 // Returns whether bodies are awake. A body whose island wakes in the next step counts as awake. Static, kinematic and
 // disabled bodies are always awake.
 SCREE_API scree_status scree_bodies_get_awake(scree_world* world, const scree_body* bodies, bool* awake, int count);
-// Returns whether one body is awake, as above.
+// Returns whether one body is awake, as scree_bodies_get_awake does.
 SCREE_API scree_status scree_body_get_awake(scree_world* world, scree_body body, bool* awake);
 
 // Sets scree_body_def.sleep_threshold, m/s, 0 to 1e6. Wakes nothing.
