@@ -9,7 +9,7 @@ async function scree(form) {
 	const {BodyType, load} = await import("scree"), engine = await load({simd: form === "simd"});
 	const types = {static: BodyType.STATIC, kinematic: BodyType.KINEMATIC, dynamic: BodyType.DYNAMIC};
 	return (bodies) => {
-		const world = engine.createWorld();
+		const world = engine.createWorld({sleep: false});
 		const handles = bodies.map((b) => {
 			const body = world.createBody({type: types[b.type], pose: {position: {x: b.x, y: b.y}}, velocity: {angular: b.spin ?? 0}});
 			if (b.radius)
