@@ -85,12 +85,13 @@ static bool tree_is_listed(const Pipeline* pipeline, const Step* step)
 	return step->sleep && pipeline->listed && state->change != TREE_MOVED && (step->kinematic == 0 || state->movers);
 }
 
-// Lists the runs that compute the boxes of a tree, and sort its leaves if boxes jumped.
-static void list_tree_boxes(Pipeline* pipeline, const Step* step, int t)
+// Lists the runs that compute the boxes of a tree. jumps: boxes may have jumped since its leaves were sorted, so the device
+// sorts them again if that pays.
+static void list_tree_boxes(Pipeline* pipeline, const Step* step, int t, bool jumps)
 {
 	RunList* list = &pipeline->list;
 	TreeState* state = &pipeline->trees[t];
-	bool jumps = pipeline->jumps && !state->ordered, listed = t == 0 && tree_is_listed(pipeline, step);
+	bool listed = t == 0 && tree_is_listed(pipeline, step);
 	bool all = state->change != TREE_KEPT || (t == 0 && step->sleep);
 	if (listed)
 		tree_refit_stale(list, state, step, jumps);
@@ -160,23 +161,19 @@ scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		state->ordered = false;
-		if (!tree_wants_order(state))
-		{
-			state->ordered = pipeline->jumps && tree_churns(state);
-			if (state->ordered)
-				tree_order(list, state, t, NO_COUNT);
-		}
-		else
+		bool wants = tree_wants_order(state);
+		state->ordered = !wants && pipeline->jumps && tree_churns(state);
+		if (wants || state->ordered)
 		{
 			tree_order(list, state, t, NO_COUNT);
-			TRY(pipeline_run(pipeline, step));
-			TRY(tree_ordered(pipeline, t));
 			state->change = TREE_MOVED;
 		}
-		if (state->ordered)
-			state->change = TREE_MOVED;
-		list_tree_boxes(pipeline, step, t);
+		if (wants)
+		{
+			TRY(pipeline_run(pipeline, step));
+			TRY(tree_ordered(pipeline, t));
+		}
+		list_tree_boxes(pipeline, step, t, pipeline->jumps && !wants && !state->ordered);
 	}
 	return SCREE_OK;
 }

@@ -209,8 +209,8 @@ typedef struct // the checked shape of the last queries, and the query results o
 
 typedef struct // groups of items that the user changed since the last upload
 {
-	Word64*
-	    keys; // per group: the kind and, in the lower 32 bits, its number; per collidable: GROUP_KINDS and its index
+	// per group: the kind and, in the lower 32 bits, its number; per collidable: GROUP_KINDS and its index
+	Word64* keys;
 	int count, capacity;
 	int last[GROUP_KINDS]; // for each kind: 1 + number of the last group that was added
 } Touched;

@@ -64,8 +64,9 @@ INLINE void island_wake_both(const Pools* p, Int2 bodies)
 		island_wake(p, bodies.y, WAKE_WORLD);
 }
 
-// The same when a contact ends; an awake body stays awake in this step. flags: its flags before; an overlap, or a pending contact, wakes nothing. A body that
-// was created asleep since the last step did not touch anything: the touch was that of an earlier body of its slot.
+// Does the same when a contact ends; an awake body stays awake in this step. flags: flags of the contact before; an
+// overlap, or a pending contact, wakes nothing. A body that was created asleep since the last step did not touch
+// anything: the touch was that of an earlier body of its slot.
 INLINE void island_wake_parted(const Pools* p, Int2 bodies, Word flags)
 {
 	if (!p->step.sleep || (flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)

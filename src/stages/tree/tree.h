@@ -21,6 +21,9 @@
 
 INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }
 
+// Returns whether a collidable of a kind is alive and in tree t; otherwise a leaf of it is empty.
+INLINE int tree_contains(int t, int kind) { return kind != KIND_DEAD && tree_of_kind(kind) == t; }
+
 #define LEAF_SOON 16 // prefetch distance, in leaves
 
 // Item: a leaf. argument: the tree. A leaf whose collidable is dead or has moved to the other tree gets an empty box.
@@ -37,7 +40,7 @@ KERNEL(tree_leaf)
 	if (i < tree->leaves)
 	{
 		int k = p->leaf[tree->leaf_begin + i], kind = p->collidable_kind[k];
-		if (kind != KIND_DEAD && tree_of_kind(kind) == p->argument)
+		if (tree_contains(p->argument, kind))
 			box = p->box[k];
 		if (p->step.sleep && p->argument == 0)
 			p->leaf_place[k] = i;
@@ -127,7 +130,7 @@ KERNEL(tree_outlier)
 	for (int k = ARITY * i; k < ARITY * (i + 1) && k < tree->leaves; ++k)
 	{
 		int leaf = p->leaf[tree->leaf_begin + k], kind = p->collidable_kind[leaf];
-		if (kind == KIND_DEAD || tree_of_kind(kind) != t)
+		if (!tree_contains(t, kind))
 			continue;
 		Float4 box = p->box[leaf], old = p->old_box[leaf];
 		jumped |= (p->collidable_flags[leaf] & COLLIDABLE_NEW_BOX) && !box_overlap(box, old);
