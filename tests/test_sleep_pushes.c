@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_sleep_pushes.c -- checks that each call that changes a body or a joint wakes the island, and that joints drag
 // sleeping bodies.
+#include "support/make_fields.h"
 #include "support/make_joints.h"
 #include "support/make_sleepers.h"
 
@@ -202,10 +203,26 @@ static void settings_in_each_step(void** state)
 	close_sleepers(world);
 }
 
+// A field beyond the range of boxes can be created, changed and destroyed.
+static void fields_far_away(void** state)
+{
+	(void)state;
+	scree_world* world = open_sleepers(-10.0f);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_WIND);
+	OK(scree_shape_make_circle((scree_vec){3.0f, 0.0f}, 1.0f, &def.shape));
+	def.pose.position.x = SCREE_MAX_COORDINATE;
+	scree_field field = add_field(world, &def);
+	def.strength = 5.0f;
+	OK(scree_field_set_def(world, field, &def));
+	OK(scree_field_set_enabled(world, field, false));
+	OK(scree_field_destroy(world, field));
+	close_sleepers(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(changes_wake_islands), cmocka_unit_test(joints_drag_sleepers),
 	                                   cmocka_unit_test(changes_of_joints_wake_bodies),
-	                                   cmocka_unit_test(settings_in_each_step)};
+	                                   cmocka_unit_test(settings_in_each_step), cmocka_unit_test(fields_far_away)};
 	return RUN_SLEEPERS(tests);
 }

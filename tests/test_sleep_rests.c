@@ -38,6 +38,23 @@ static void a_box_on_a_belt_does_not_sleep(void** state)
 	close_sleepers(world);
 }
 
+// A belt of 0.02 m/s is slower than the threshold, but carries a box for ever. A box that a wall holds on it sleeps.
+static void slow_belts_keep_boxes_awake(void** state)
+{
+	(void)state;
+	scree_world* world = open_sleepers(-10.0f);
+	scree_attribute_def def = surface_of(box_shape(60.0f, 0.5f));
+	def.tangent_speed = 0.02f;
+	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), 0.0f, 1.0f, 0.0f);
+	scree_body box = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 2.0f),
+	           held = add_crate(world, SCREE_BODY_DYNAMIC, 9.0f, 2.0f);
+	add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 10.0f, 2.0f);
+	run_as_before(world, &box, 1, 600, true);
+	NEAR(pose_of(world, box).position.x, 0.2, 0.02);
+	assert_false(is_awake(world, held));
+	close_sleepers(world);
+}
+
 // A platform of 0.01 m/s is slower than the threshold, but a box on it sleeps only after the platform has stopped.
 static void platforms_keep_boxes_awake(void** state)
 {
@@ -110,11 +127,9 @@ static void time_counts(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(a_bouncing_ball_does_not_sleep),
-	    cmocka_unit_test(a_box_on_a_belt_does_not_sleep),
-	    cmocka_unit_test(platforms_keep_boxes_awake),
-	    cmocka_unit_test(motion_keeps_bodies_awake),
-	    cmocka_unit_test(time_counts),
+	    cmocka_unit_test(a_bouncing_ball_does_not_sleep), cmocka_unit_test(a_box_on_a_belt_does_not_sleep),
+	    cmocka_unit_test(slow_belts_keep_boxes_awake),    cmocka_unit_test(platforms_keep_boxes_awake),
+	    cmocka_unit_test(motion_keeps_bodies_awake),      cmocka_unit_test(time_counts),
 	};
 	return RUN_SLEEPERS(tests);
 }

@@ -8,7 +8,7 @@
 
 #define WAKE_MARGIN 0.01f // m: distance by which the box of a region is enlarged
 
-static float bounded(float x) { return fminf(fmaxf(x, -SCREE_MAX_COORDINATE), SCREE_MAX_COORDINATE); }
+static bool is_near(float x) { return fabsf(x) <= SCREE_MAX_COORDINATE; }
 
 scree_status field_wake(scree_world* world, int index)
 {
@@ -25,15 +25,18 @@ scree_status field_wake(scree_world* world, int index)
 		TRY(scree_body_get_pose(world, body_handle(world, host->body), &body));
 		pose = pose_product(body, pose);
 	}
-	scree_box box = {{SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE}, {-SCREE_MAX_COORDINATE, -SCREE_MAX_COORDINATE}};
+	scree_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 	float margin = shape->radius + WAKE_MARGIN;
 	for (int k = 0; k < shape->count; ++k)
 	{
 		scree_vec corner = pose_point(pose, shape->vertices[k]);
-		box.lower.x = bounded(fminf(box.lower.x, corner.x - margin));
-		box.lower.y = bounded(fminf(box.lower.y, corner.y - margin));
-		box.upper.x = bounded(fmaxf(box.upper.x, corner.x + margin));
-		box.upper.y = bounded(fmaxf(box.upper.y, corner.y + margin));
+		box.lower.x = fminf(box.lower.x, corner.x - margin);
+		box.lower.y = fminf(box.lower.y, corner.y - margin);
+		box.upper.x = fmaxf(box.upper.x, corner.x + margin);
+		box.upper.y = fmaxf(box.upper.y, corner.y + margin);
 	}
+	// farther out there is no box that can be woken
+	if (!is_near(box.lower.x) || !is_near(box.lower.y) || !is_near(box.upper.x) || !is_near(box.upper.y))
+		return scree_world_set_awake(world, true);
 	return scree_world_set_box_awake(world, box, true);
 }

@@ -87,6 +87,15 @@ KERNEL(island_begin)
 	p->island_state[i] = 0;
 }
 
+// Returns whether the belt of a contact moves its bodies with at least half of the belt's speed, which may be below the
+// threshold. A belt under a body that is held does not.
+INLINE int belt_drives_bodies(const Pools* p, int i, Int2 bodies)
+{
+	float speed = absolute(p->contact_surface[i].w);
+	BodyState a = p->body[bodies.x], b = p->body[bodies.y];
+	return speed > 0.0f && absolute(b.vx - a.vx) + absolute(b.vy - a.vy) >= 0.5f * speed;
+}
+
 KERNEL(contact_link)
 {
 	i = search_item(p, GROUPS_OF_CONTACTS, i);
@@ -97,6 +106,11 @@ KERNEL(contact_link)
 	if (!search_visits(p, bodies.x) || !search_visits(p, bodies.y))
 		return;
 	int shifted = (p->collidable_flags[pair.x] | p->collidable_flags[pair.y]) & COLLIDABLE_SHIFTED;
+	if (p->step.belts && belt_drives_bodies(p, i, bodies))
+	{
+		island_note(p, bodies.x, ISLAND_RESTLESS);
+		island_note(p, bodies.y, ISLAND_RESTLESS);
+	}
 	island_link(p, bodies, shifted, p->contact_color[i] == COLOR_NONE && !(flags & CONTACT_ASLEEP));
 }
 
