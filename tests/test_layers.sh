@@ -37,6 +37,7 @@ world/chain
 world/device
 world/upload
 world/create world/pool_read world/own_queries
+world/snapshot
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover'
 

@@ -351,6 +351,31 @@ SCREE_API int scree_world_get_lanes(const scree_world* world);
 // Computes a 64-bit hash of all simulated state. Worlds with equal state have equal hashes on every device.
 SCREE_API scree_status scree_world_get_hash(scree_world* world, uint64_t* hash);
 
+// Snapshots (docs/snapshots.md). A snapshot contains the whole state of a world: it is restored on any device, by this
+// or a later version of the library, on any processor with little-endian numbers, and the world goes on with the same
+// bits. Handles, user data and the events of the last step are as they were.
+
+// Writes a snapshot. *bytes is memory of the world, valid until the next call of scree_world_snapshot with this world and
+// until the world is destroyed; *size is its number of bytes. Pending changes of the user are in the snapshot. The world
+// does not change. Fails with SCREE_ERROR_OUT_OF_MEMORY if there is no memory for the snapshot.
+SCREE_API scree_status scree_world_snapshot(scree_world* world, const void** bytes, size_t* size);
+
+// Replaces the content of a world by a snapshot, on the device of the world. Handles of objects that the snapshot lacks
+// become invalid, and lists that the world returned too. Device, threads, lanes, timings and shared memory are those of
+// the world. Fails with SCREE_ERROR_INVALID if the snapshot is damaged, not consistent or of a newer format, and with
+// SCREE_ERROR_OUT_OF_MEMORY; the world is then unchanged. A failure of the device is sticky, as after scree_world_step.
+SCREE_API scree_status scree_world_restore(scree_world* world, const void* bytes, size_t size);
+
+// Creates a world from a snapshot. def: device, threads, lanes, allow_unequal_bits, timings, opengl and capacities of the
+// world; its other members are those of the snapshot. Fails as scree_world_create and scree_world_restore; *world is null
+// then.
+SCREE_API scree_status scree_world_create_from(const scree_world_def* def, const void* bytes, size_t size,
+                                               scree_world** world);
+
+// Creates a world with the state of another one. def: as in scree_world_create_from, or null for the same device, threads
+// and lanes. Handles of the one are valid in the other.
+SCREE_API scree_status scree_world_clone(scree_world* world, const scree_world_def* def, scree_world** clone);
+
 typedef struct scree_counters
 {
 	int bodies, dynamic_bodies;  // current numbers

@@ -95,6 +95,7 @@ static const BackendFunctions functions = {
     .solve = cpu_solve,
     .write = cpu_write,
     .read = cpu_read,
+    .clear = cpu_clear,
     .read_begin = cpu_read_begin,
     .read_end = cpu_read_end,
     .batch = batch_whole,

@@ -64,6 +64,15 @@ scree_status cpu_read(Backend* b, PoolId pool, int first, int count, void* items
 	return SCREE_OK;
 }
 
+scree_status cpu_clear(Backend* b, PoolId pool, int first, int count)
+{
+	size_t bytes = pool_info[pool].bytes;
+	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
+	if (count > 0)
+		memset(pool_memory(b->state, pool) + (size_t)first * bytes, 0, (size_t)count * bytes);
+	return SCREE_OK;
+}
+
 scree_status cpu_read_begin(Backend* b, PoolId pool, int first, int count)
 {
 	Cpu* cpu = b->state;

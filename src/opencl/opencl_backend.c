@@ -218,6 +218,18 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	                               : upload(d, pool_buffer(d, pool), offset, items, all);
 }
 
+static scree_status opencl_clear(Backend* b, PoolId pool, int first, int count)
+{
+	OpenCl* d = b->state;
+	const cl_int zero = 0;
+	size_t bytes = pool_info[pool].bytes;
+	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
+	if (count == 0)
+		return SCREE_OK;
+	return CALL(EnqueueFillBuffer, d->queue, pool_buffer(d, pool), &zero, sizeof zero,
+	            pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, 0, NULL, NULL);
+}
+
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
 // Returns the maximum number of work-items per group of a kernel. It is 1 for branches on a CPU, because PoCL would
@@ -309,6 +321,7 @@ static scree_status opencl_open_device(const BackendOptions* options, const Devi
 	    .solve = opencl_solve,
 	    .write = opencl_write,
 	    .read = opencl_read,
+	    .clear = opencl_clear,
 	    .read_begin = opencl_read_begin,
 	    .read_end = opencl_read_end,
 	    .batch = opencl_batch,

@@ -92,17 +92,22 @@ static scree_status tree_layout(Pipeline* pipeline, int t)
 	return b->f->write(b, POOL_tree, t, 1, tree);
 }
 
+scree_status tree_reserve(Pipeline* pipeline, int collidables)
+{
+	if (collidables <= pipeline->member_capacity)
+		return SCREE_OK;
+	int capacity = collidables + collidables / 2 + 64;
+	uint8_t* member = scree_reallocate(pipeline->member, (size_t)pipeline->member_capacity, (size_t)capacity);
+	if (!member)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d collidables", capacity);
+	pipeline->member = member;
+	pipeline->member_capacity = capacity;
+	return SCREE_OK;
+}
+
 scree_status tree_insert(Pipeline* pipeline, int t, int collidable)
 {
-	if (collidable >= pipeline->member_capacity)
-	{
-		int capacity = collidable + collidable / 2 + 64;
-		uint8_t* member = scree_reallocate(pipeline->member, (size_t)pipeline->member_capacity, (size_t)capacity);
-		if (!member)
-			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d collidables", capacity);
-		pipeline->member = member;
-		pipeline->member_capacity = capacity;
-	}
+	TRY(tree_reserve(pipeline, collidable + 1));
 	TreeState* state = &pipeline->trees[t];
 	edit(pipeline, t);
 	pipeline->statics |= t == 1;
@@ -164,6 +169,15 @@ void tree_leave(Pipeline* pipeline, int t, int collidable)
 	}
 	if (!state->shrunk)
 		state->left[state->left_count++] = collidable;
+}
+
+scree_status tree_restore_leaves(Pipeline* pipeline, int t, const int* leaves, int count)
+{
+	Backend* b = pipeline->backend;
+	pipeline->trees[t].tree.leaves = count;
+	for (int k = 0; k < count; ++k)
+		pipeline->member[leaves[k]] |= BELONGS(t) | HAS_LEAF(t);
+	return count > 0 ? b->f->write(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], count, leaves) : SCREE_OK;
 }
 
 scree_status tree_upload(Pipeline* pipeline)

@@ -16,6 +16,10 @@ void tree_withdraw(Pipeline* pipeline, int collidable);
 void tree_touch(Pipeline* pipeline, int t);
 // Removes a collidable from tree t. The collidable was destroyed, or moved to the other tree.
 void tree_leave(Pipeline* pipeline, int t, int collidable);
+// Reserves the host's memory for a number of collidables.
+scree_status tree_reserve(Pipeline* pipeline, int collidables);
+// Sets the leaves of tree t of a restored world, in an order that needs no sort. Memory and pools have room for them.
+scree_status tree_restore_leaves(Pipeline* pipeline, int t, const int* leaves, int count);
 scree_status tree_upload(Pipeline* pipeline);
 bool tree_wants_order(const TreeState* state);
 

@@ -66,6 +66,7 @@ void world_destroy(scree_world* world)
 	scree_release(world->targets);
 	idle_close(world);
 	scree_release(world->scratch);
+	scree_release(world->snapshot.bytes);
 	scree_release(world);
 	worlds_add(-1);
 }

@@ -97,3 +97,14 @@ void slots_put_back(Slots* slots, int slot, int used)
 	else
 		push(slots, slot);
 }
+
+void slots_restore(Slots* slots, int first, int used)
+{
+	slots->used = used;
+	slots->changes = 1; // 0 would mean that a device has all generations
+	for (int slot = first; slot < used; ++slot)
+		if (slots_in_use(slots, slot))
+			++slots->alive;
+		else
+			push(slots, slot);
+}

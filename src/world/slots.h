@@ -29,6 +29,10 @@ void slots_free(Slots* slots, int slot);
 // Reverts an allocation; later ones must be reverted before it. used: Slots.used before the first allocation to revert.
 void slots_put_back(Slots* slots, int slot, int used);
 
+// Sets the slots of a new Slots after their generations have been written: slots from `first` on whose generation is
+// even are free. used: number of slots, for which memory is reserved.
+void slots_restore(Slots* slots, int first, int used);
+
 static inline bool slots_in_use(const Slots* slots, int slot) { return slots->generation[slot] & 1; }
 
 #endif

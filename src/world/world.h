@@ -215,6 +215,12 @@ typedef struct // groups of items that the user changed since the last upload
 	int last[GROUP_KINDS]; // for each kind: 1 + number of the last group that was added
 } Touched;
 
+typedef struct // a snapshot that is being written (snapshot/chunks.h)
+{
+	uint8_t* bytes;
+	size_t used, capacity;
+} ChunkWriter;
+
 struct scree_world
 {
 	scree_world_def def;
@@ -261,8 +267,9 @@ struct scree_world
 	Pipeline pipeline;
 	size_t shared[SHARED_USES]; // bytes of the memory that is shared for each use; 0 while no memory is shared
 	AutoDevice auto_device;
-	char device[160]; // name of the present device
-	void* scratch;    // temporary memory for one call; see world_scratch
+	ChunkWriter snapshot; // the last snapshot
+	char device[160];     // name of the present device
+	void* scratch;        // temporary memory for one call; see world_scratch
 	size_t scratch_bytes;
 };
 

@@ -103,7 +103,9 @@ static void put_any(Maker* m)
 	}
 	// few calls are steps, because on a GPU a step takes as long as dozens of other calls
 	int k = below(m, 100);
-	if (k < 12)
+	if (m->saves && chance(m, 0.06))
+		put(m, call_make(chance(m, 0.5) ? CALL_save : CALL_load));
+	else if (k < 12)
 	{
 		put_step(m);
 		if (m->rules && m->reports && chance(m, 0.7))
@@ -181,6 +183,7 @@ void program_make(Program* program, uint64_t seed, int calls)
 	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
 	m.fields = chance(&m, 0.4);
 	m.sleeps = chance(&m, 0.5);
+	m.saves = chance(&m, 0.25);
 	if (m.sleeps && call_value(&program->calls[0], "sleep") == 0.0f)
 		put_tuning(&m);
 	for (int k = 3 + below(&m, 4); k > 0; --k)

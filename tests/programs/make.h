@@ -28,6 +28,7 @@ typedef struct
 	bool senses;   // some collidables are sensors
 	bool fields;   // has fields
 	bool sleeps;   // bodies may sleep
+	bool saves;    // snapshots are taken and restored
 	bool rules;    // has one-way platforms, materials, excluded pairs and contact approval
 } Maker;
 

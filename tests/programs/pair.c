@@ -23,8 +23,8 @@ static uint32_t any_of(const Call* call, uint32_t first)
 	return (any ^ any >> 13) * 2654435769u;
 }
 
-// Reads a world between two calls, moves it to the device that it is on, or does nothing. The results of later calls
-// must not change. The list of moved bodies is not read, because each reading begins a new list.
+// Reads a world between two calls, moves it to the device that it is on, replaces it by its snapshot, or does nothing.
+// The results of later calls must not change. The list of moved bodies is not read, because each reading begins a new list.
 static void read_between(Pair* pair, CallRun run)
 {
 	uint32_t any = any_of(run.call, pair->first_read);
@@ -50,6 +50,9 @@ static void read_between(Pair* pair, CallRun run)
 		break;
 	case 5:
 		scree_world_move(run.world, scree_world_get_device(run.world));
+		break;
+	case 6:
+		snapshot_repeat(run.world, any >> 24 & 1);
 		break;
 	default:
 		break;
@@ -212,7 +215,10 @@ void pair_close(Pair* pair)
 	if (pair->worker)
 		worker_close(pair->worker);
 	for (int k = 0; k < 2; ++k)
+	{
+		names_clear(pair->names[k]);
 		free(pair->names[k]);
+	}
 }
 
 static bool left_differs(const Left* a, const Left* b, Outcome* outcome)
@@ -277,7 +283,7 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 	Left left[2] = {{0}, {0}};
 	for (int k = 0; k < 2; ++k)
 	{
-		memset(pair->names[k], 0, sizeof *pair->names[k]);
+		names_clear(pair->names[k]);
 		arithmetic_setting.flush = pair->places[k].flush;
 		left[k].status = run_world(&pair->places[k], made, &pair->worlds[k]);
 		if (left[k].status != SCREE_OK)

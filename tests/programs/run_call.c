@@ -314,6 +314,10 @@ scree_status run_call(const CallRun* r)
 		return run_ask(r);
 	case CALL_read:
 		return run_read(r);
+	case CALL_save:
+		return run_save(r);
+	case CALL_load:
+		return run_load(r);
 	case CALL_clear:
 		return run_clear(r);
 	case CALL_world:

@@ -23,6 +23,9 @@ struct Names
 	scree_path paths[MOST_NAMES];
 	scree_field fields[MOST_NAMES];
 	Open open;
+	void* saved; // the last snapshot, or null
+	size_t saved_size;
+	Open saved_open; // `open` when the snapshot was taken
 };
 
 typedef struct // outcome of a call
@@ -91,6 +94,13 @@ scree_status run_blast(const CallRun* run);
 scree_status run_step(const CallRun* run);
 uint64_t mix_user(uint64_t word, uint64_t a, uint64_t b);
 uint64_t mix_contact(uint64_t word, const scree_contact* contact);
+
+// run_snapshot.c: takes and restores snapshots. names_clear forgets all names and the snapshot. snapshot_repeat replaces a
+// world by its snapshot, with or without a step before; this changes no result of later calls.
+scree_status run_save(const CallRun* run);
+scree_status run_load(const CallRun* run);
+void names_clear(struct Names* names);
+void snapshot_repeat(scree_world* world, bool steps);
 
 // Returns the next number of a random sequence (Donald Knuth, H. W. Lewis). Worlds of saved programs depend on it, so
 // tools/common/random_numbers.h cannot replace it.

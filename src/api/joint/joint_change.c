@@ -49,6 +49,7 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		const JointEdit after = joint_edit(world, index);
 		bool same = before.flags == after.flags && memcmp(&before.data, &after.data, sizeof after.data) == 0;
 		world->host_joints[index].seeks |= change->moves && !same;
+		world->chains_stale |= change->moves && !same; // branches depend on the arms of hubs
 		if (change->moves)
 			joint_anchors(world, index);
 		// a value that is set again, for instance in each step, wakes nothing and is not uploaded

@@ -4,6 +4,7 @@
 #include "world/device/migrate.h"
 #include "platform/error.h"
 #include "world/device/idle.h"
+#include "world/device/lasting.h"
 #include "world/device/shared_buffers.h"
 #include "world/failure.h"
 #include "world/world.h"
@@ -13,52 +14,6 @@
 #define BOUNCE_BYTES ((size_t)4 << 20) // size of a buffer, used if the host can address the pools of neither device
 
 static int smaller(int a, int b) { return a < b ? a : b; }
-
-// Returns the number of items of a kind that outlive a step. Slots beyond the capacity exist only in pending edits.
-static int lasting_items(const scree_world* world, Per per)
-{
-	const Counters* c = &world->pipeline.counters;
-	const Backend* b = world->backend;
-	switch (per)
-	{
-	case PER_ATTRIBUTE:
-		return world->edits.attribute_rows;
-	case PER_COLLIDABLE:
-		return smaller(world->collidables.used, b->capacity[per]);
-	case PER_BODY:
-		// wide kernels also process the padding, whose items must be inert
-		return smaller((world->bodies.used + MAX_LANES - 1) / MAX_LANES * MAX_LANES, b->capacity[per]);
-#define CONSTRAINT_KIND(kind, Kind, KIND)                      \
-	case PER_##KIND:                                           \
-		return c->kind##s;                                     \
-	case PER_##KIND##_PLACE:                                   \
-		return c->layout[CONSTRAINT_##KIND].begin[COLORS + 1]; \
-	case PER_##KIND##_BLOCK:                                   \
-		return (c->layout[CONSTRAINT_##KIND].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
-#include "pools/kinds.def"
-#undef CONSTRAINT_KIND
-	case PER_JOINED:
-		return smaller(c->joints + world->pipeline.excluded, b->capacity[per]);
-	case PER_EXCLUDED:
-		return world->pipeline.excluded;
-	case PER_MATERIAL_PAIR:
-		return smaller(world->pipeline.material_pairs, b->capacity[per]);
-	case PER_PATH_SAMPLE:
-		return smaller(world->edits.sample_rows, b->capacity[per]);
-	case PER_CHAIN:
-		return world->pipeline.chain_ranges;
-	case PER_BRANCH:
-		return world->pipeline.branch_nodes;
-	case PER_BODY_GROUP:
-	case PER_COLLIDABLE_GROUP:
-	case PER_CONTACT_GROUP:
-		return b->capacity[per];
-	case PER_ONE:
-		return 1;
-	default:
-		return 0; // scratch pools, and trees: copy_all copies their leaves, and the new device computes their nodes
-	}
-}
 
 typedef struct // a move in progress
 {

@@ -52,6 +52,21 @@ static void forget(scree_world* world, int* entry)
 	table[hole] = 0;
 }
 
+// Makes a table of `size` entries, a power of two above the number of attributes.
+static scree_status table_make(scree_world* world, const char* function, int size)
+{
+	int* table = scree_allocate((size_t)size * sizeof *table);
+	if (!table)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a table of %d attributes", function, size / 2);
+	scree_release(world->attribute_table);
+	world->attribute_table = table;
+	world->attribute_table_size = size;
+	for (int k = 0; k < world->attribute_slots.used; ++k)
+		if (slots_in_use(&world->attribute_slots, k))
+			*find(world, world->host_attributes[k].name, world->attributes + k) = k + 1;
+	return SCREE_OK;
+}
+
 // Reserves memory for one more attribute. The table is at most half full afterwards.
 static scree_status reserve(scree_world* world, const char* function)
 {
@@ -67,17 +82,20 @@ static scree_status reserve(scree_world* world, const char* function)
 	if (2 * (slots->alive + 1) <= world->attribute_table_size)
 		return SCREE_OK;
 
-	int size = world->attribute_table_size > 0 ? 2 * world->attribute_table_size : 64;
-	int* table = scree_allocate((size_t)size * sizeof *table);
-	if (!table)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a table of %d attributes", function, size / 2);
-	scree_release(world->attribute_table);
-	world->attribute_table = table;
-	world->attribute_table_size = size;
-	for (int k = 0; k < slots->used; ++k)
-		if (slots_in_use(slots, k))
-			*find(world, world->host_attributes[k].name, world->attributes + k) = k + 1;
-	return SCREE_OK;
+	return table_make(world, function, world->attribute_table_size > 0 ? 2 * world->attribute_table_size : 64);
+}
+
+scree_status attributes_restore(scree_world* world, const char* function)
+{
+	int size = 64;
+	while (size < 2 * (world->attribute_slots.alive + 1))
+		size *= 2;
+	for (int k = 0; k < world->attribute_slots.used; ++k)
+	{
+		world->attributes[k].size = sizeof *world->attributes;
+		world->host_attributes[k].name = name_of(world->attributes + k);
+	}
+	return table_make(world, function, size);
 }
 
 static int make(scree_world* world, uint32_t name, const scree_attribute_def* plain)

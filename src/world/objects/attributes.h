@@ -12,6 +12,9 @@ scree_status attribute_claim(scree_world* world, const char* function, const scr
 // Removes one claim of an attribute. Removing the last one frees the slot; no collidable may use the attribute then.
 void attribute_disclaim(scree_world* world, int index);
 
+// Makes the table of restored attributes. Equal attributes must have one slot.
+scree_status attributes_restore(scree_world* world, const char* function);
+
 // Return the rows of an attribute in the pools attribute, rule and thickness. The thickness of a shape, m, is its
 // radius, plus the distance from the centroid to the nearest side if the shape is a polygon.
 void attribute_item(const scree_world* world, int index, Attribute* item);

@@ -146,8 +146,8 @@ scree_status upload_paths(scree_world* world)
 
 void paths_close(scree_world* world)
 {
-	for (int path = world->first_path; path > 0; path = world->host_paths[path - 1].next)
-		scree_release(world->host_paths[path - 1].samples);
+	for (int k = 0; k < world->host_path_capacity; ++k)
+		scree_release(world->host_paths[k].samples);
 	slots_close(&world->paths);
 	scree_release(world->host_paths);
 }

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// columns.h -- writes and reads arrays of structs as columns: a chunk for each member of the struct.
+#ifndef COLUMNS_H
+#define COLUMNS_H
+#include "world/snapshot/chunks.h"
+
+#define COLUMN_MOST 128 // maximum number of columns of a table
+
+typedef enum
+{
+	COLUMN_ZERO,  // values are 0 if the chunk is missing
+	COLUMN_NONE,  // an index, -1 if the chunk is missing
+	COLUMN_TRUTH, // a bool
+	COLUMN_EACH,  // all values are stored, also if they are equal, so that a small file cannot demand much memory
+} ColumnKind;
+
+typedef struct // a member of a struct
+{
+	const char* name; // null: the member is named by its offset
+	ColumnKind kind;
+	int offset, bytes;
+	int count; // number of values: above 1 for an array in a struct of which there is only one
+} Column;
+
+#define MEMBER_BYTES(type, member) ((int)sizeof(((type*)0)->member))
+#define COLUMN(type, member)                                                             \
+	{                                                                                    \
+#member, COLUMN_ZERO, (int)offsetof(type, member), MEMBER_BYTES(type, member), 1 \
+	}
+#define COLUMN_INDEX(type, member)                                                       \
+	{                                                                                    \
+#member, COLUMN_NONE, (int)offsetof(type, member), MEMBER_BYTES(type, member), 1 \
+	}
+#define COLUMN_ALL(type, member)                                                         \
+	{                                                                                    \
+#member, COLUMN_EACH, (int)offsetof(type, member), MEMBER_BYTES(type, member), 1 \
+	}
+#define COLUMN_BOOL(type, member)                                                         \
+	{                                                                                     \
+#member, COLUMN_TRUTH, (int)offsetof(type, member), MEMBER_BYTES(type, member), 1 \
+	}
+#define COLUMN_ARRAY(type, member, value)                                      \
+	{                                                                          \
+#member, COLUMN_ZERO, (int)offsetof(type, member), (int)sizeof(value), \
+		    MEMBER_BYTES(type, member) / (int)sizeof(value)                    \
+	}
+
+typedef struct // columns of a struct
+{
+	const char* prefix; // prefix of the names of the chunks
+	const Column* columns;
+	int count;
+} ColumnTable;
+
+#define COLUMN_TABLE(prefix, columns)                               \
+	{                                                               \
+		prefix, columns, (int)(sizeof(columns) / sizeof *(columns)) \
+	}
+
+// Sets `columns` to the words of four bytes of a struct, named by their offsets. Returns their number.
+int columns_of_words(int bytes, Column columns[COLUMN_MOST]);
+
+// Writes the columns of `count` structs. A column whose values are all the default is not written.
+void columns_write(ChunkWriter* writer, const ColumnTable* table, const void* items, size_t stride, int count);
+
+// Fails unless the chunks of the columns have the values of `count` structs. To be called before memory is allocated.
+scree_status columns_check(const ChunkIndex* index, const ColumnTable* table, int count);
+
+// Reads the columns of `count` structs; values of missing chunks are set to the default.
+scree_status columns_read(const ChunkIndex* index, const ColumnTable* table, void* items, size_t stride, int count);
+
+// Fails with SCREE_ERROR_INVALID and a sentence about the snapshot.
+scree_status snapshot_refuse(const ChunkIndex* index, const char* format, ...);
+
+#endif

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// host_lists.c -- writes and reads the arrays of a world on the host: objects, slots and lists.
+#include "world/snapshot/host_lists.h"
+#include "platform/error.h"
+#include "world/memory.h"
+#include "world/objects/attributes.h"
+#include "world/snapshot/host_columns.h"
+#include "world/world.h"
+#include <stdio.h>
+
+// Slots of a kind of object: the name of its chunk, and the first slot that may be in use.
+typedef struct
+{
+	const char* prefix;
+	size_t offset; // offset of the Slots in a world
+	int first;
+} SlotsOf;
+
+static const SlotsOf slots_of[] = {
+    {"slots.body", offsetof(scree_world, bodies), 1},
+    {"slots.collidable", offsetof(scree_world, collidables), 0},
+    {"slots.attribute", offsetof(scree_world, attribute_slots), 0},
+    {"slots.joint", offsetof(scree_world, joints), 0},
+    {"slots.path", offsetof(scree_world, paths), 0},
+    {"slots.field", offsetof(scree_world, fields.slots), 0},
+    {"slots.exclusion", offsetof(scree_world, exclusions.slots), 0},
+};
+#define SLOT_KINDS ((int)(sizeof slots_of / sizeof *slots_of))
+
+static const Column generation_column[] = {{"generation", COLUMN_EACH, 0, sizeof(uint32_t), 1}};
+static const Column int_column[] = {{"each", COLUMN_EACH, 0, sizeof(int), 1}};
+static const Column word64_column[] = {{"each", COLUMN_EACH, 0, sizeof(uint64_t), 1}};
+
+static Slots* slots_at(scree_world* world, int k) { return (Slots*)((char*)world + slots_of[k].offset); }
+
+// Arrays of a world that are saved as columns. ARRAY(kind, array, capacity, count, kept): kept is the number of items
+// for which memory is reserved, at least `count`.
+#define HOST_ARRAYS(ARRAY)                                                                                        \
+	ARRAY(HOST_BODY, world->host_bodies, world->host_body_capacity, world->bodies.used, world->bodies.capacity)   \
+	ARRAY(HOST_COLLIDABLE, world->host_collidables, world->host_collidable_capacity, world->collidables.used,     \
+	      world->collidables.capacity)                                                                            \
+	ARRAY(HOST_ATTRIBUTE_DEF, world->attributes, world->attribute_capacity, world->attribute_slots.used,          \
+	      world->attribute_slots.capacity)                                                                        \
+	ARRAY(HOST_ATTRIBUTE, world->host_attributes, world->host_attribute_capacity, world->attribute_slots.used,    \
+	      world->attribute_slots.capacity)                                                                        \
+	ARRAY(HOST_JOINT, world->host_joints, world->host_joint_capacity, world->joints.used, world->joints.capacity) \
+	ARRAY(HOST_PATH, world->host_paths, world->host_path_capacity, world->paths.used, world->paths.capacity)      \
+	ARRAY(HOST_FIELD, world->fields.host, world->fields.capacity, world->fields.slots.used,                       \
+	      world->fields.slots.capacity)                                                                           \
+	ARRAY(HOST_EXCLUSION, world->exclusions.rows, world->exclusions.capacity, world->exclusions.slots.used,       \
+	      world->exclusions.slots.capacity)                                                                       \
+	ARRAY(HOST_TARGET, world->targets, world->target_capacity, world->target_count, world->target_count)          \
+	ARRAY(HOST_VISIT, world->sensors.visits, world->sensors.visit_capacity, world->sensors.visit_count,           \
+	      world->sensors.visit_count)                                                                             \
+	ARRAY(HOST_VISIT_BEGAN, world->sensors.began, world->sensors.began_capacity, world->sensors.began_count,      \
+	      world->sensors.began_count)                                                                             \
+	ARRAY(HOST_VISIT_ENDED, world->sensors.ended, world->sensors.ended_capacity, world->sensors.ended_count,      \
+	      world->sensors.ended_count)
+
+// Lists of a world whose items are words. LIST(prefix, columns, array, capacity, count)
+#define HOST_LISTS(LIST)                                                                                  \
+	LIST("kinematics", int_column, world->kinematics, world->kinematic_capacity, world->kinematic_count)  \
+	LIST("touch.ended", word64_column, world->reports.ended, world->reports.capacity[EVENT_TOUCH_ENDED],  \
+	     world->reports.counts[EVENT_TOUCH_ENDED])                                                        \
+	LIST("approved", word64_column, world->reports.allowed, world->reports.allowed_capacity,              \
+	     world->reports.allowed_count)                                                                    \
+	LIST("touch.began", report_columns, world->reports.began, world->reports.capacity[EVENT_TOUCH_BEGAN], \
+	     world->reports.counts[EVENT_TOUCH_BEGAN])                                                        \
+	LIST("hit", report_columns, world->reports.hits, world->reports.capacity[EVENT_HIT],                  \
+	     world->reports.counts[EVENT_HIT])                                                                \
+	LIST("asked", report_columns, world->reports.asked, world->reports.capacity[EVENT_APPROVALS],         \
+	     world->reports.counts[EVENT_APPROVALS])                                                          \
+	LIST("material", material_columns, world->materials.rows, world->materials.capacity, world->pipeline.material_pairs)
+
+#define WORD(offset)                    \
+	{                                   \
+		NULL, COLUMN_ZERO, offset, 4, 1 \
+	}
+#define WORDS4(offset) WORD(offset), WORD(offset + 4), WORD(offset + 8), WORD(offset + 12)
+static const Column report_columns[] = {{NULL, COLUMN_EACH, 0, 4, 1},
+                                        WORD(4),
+                                        WORD(8),
+                                        WORD(12),
+                                        WORDS4(16),
+                                        WORDS4(32),
+                                        WORDS4(48),
+                                        WORDS4(64),
+                                        WORDS4(80)};
+static const Column material_columns[] = {WORDS4(0)};
+static const Column sample_columns[] = {WORDS4(0), WORDS4(16)};
+_Static_assert(sizeof(ContactReport) == 96 && sizeof(MaterialPair) == 16 && sizeof(PathSample) == 32, "columns");
+
+#define LIST_TABLE(prefix, columns) (&(const ColumnTable)COLUMN_TABLE(prefix, columns))
+
+static void write_samples(ChunkWriter* writer, scree_world* world)
+{
+	char prefix[CHUNK_NAME];
+	for (int k = 0; k < world->paths.used; ++k)
+		if (slots_in_use(&world->paths, k))
+		{
+			snprintf(prefix, sizeof prefix, "samples%d", k);
+			columns_write(writer, LIST_TABLE(prefix, sample_columns), world->host_paths[k].samples, sizeof(PathSample),
+			              world->host_paths[k].segments + 1);
+		}
+}
+
+void host_write(ChunkWriter* writer, scree_world* world)
+{
+	const ColumnTable* world_table = &host_columns[HOST_WORLD].table;
+	int departed = world->reports.departed_capacity;
+	columns_write(writer, world_table, world, sizeof *world, 1);
+	columns_write(writer, &host_columns[HOST_PIPELINE].table, &world->pipeline, sizeof world->pipeline, 1);
+	columns_write(writer, &host_columns[HOST_COUNTERS].table, &world->pipeline.counters, sizeof(Counters), 1);
+	for (int k = 0; k < SLOT_KINDS; ++k)
+		columns_write(writer, LIST_TABLE(slots_of[k].prefix, generation_column), slots_at(world, k)->generation,
+		              sizeof(uint32_t), slots_at(world, k)->used);
+#define ARRAY(kind, array, capacity, count, kept) \
+	columns_write(writer, &host_columns[kind].table, array, sizeof *(array), count);
+	HOST_ARRAYS(ARRAY)
+#undef ARRAY
+#define LIST(prefix, columns, array, capacity, count) \
+	columns_write(writer, LIST_TABLE(prefix, columns), array, sizeof *(array), count);
+	HOST_LISTS(LIST)
+#undef LIST
+	columns_write(writer, &host_columns[HOST_DEPARTED].table, world->reports.departed, sizeof(CollidableName),
+	              departed);
+	write_samples(writer, world);
+}
+
+static scree_status check_count(const ChunkIndex* index, const char* name, int count, int most)
+{
+	return count >= 0 && count <= most ? SCREE_OK
+	                                   : snapshot_refuse(index, "%s is %d, must be from 0 to %d", name, count, most);
+}
+
+// Checks the numbers of items, before memory is allocated for them.
+static scree_status check_counts(const ChunkIndex* index, const scree_world* world)
+{
+	const Pipeline* pipeline = &world->pipeline;
+	const Counters* c = &pipeline->counters;
+	const struct
+	{
+		const char* name;
+		int count, most;
+	} counts[] = {
+	    {"world.bodies.used", world->bodies.used - 1, MAX_ITEMS - 1},
+	    {"world.collidables.used", world->collidables.used, MAX_ITEMS},
+	    {"world.attribute_slots.used", world->attribute_slots.used, MAX_ITEMS},
+	    {"world.joints.used", world->joints.used, MAX_ITEMS},
+	    {"world.paths.used", world->paths.used, MAX_ITEMS},
+	    {"world.fields.slots.used", world->fields.slots.used, MAX_ITEMS},
+	    {"world.exclusions.slots.used", world->exclusions.slots.used, MAX_ITEMS},
+	    {"world.target_count", world->target_count, world->bodies.used},
+	    {"world.kinematic_count", world->kinematic_count, world->bodies.used},
+	    {"world.edits.attribute_rows", world->edits.attribute_rows, world->attribute_slots.used},
+	    {"world.sample_end", world->sample_end, MAX_ITEMS},
+	    {"world.edits.sample_rows", world->edits.sample_rows, MAX_ITEMS},
+	    {"pipeline.material_pairs", pipeline->material_pairs, MATERIAL_PLACE(MATERIALS - 1, MATERIALS - 1) + 1},
+	    {"pipeline.excluded", pipeline->excluded, MAX_ITEMS},
+	    {"counters.contacts", c->contacts, MAX_CONTACTS},
+	    {"counters.joints", c->joints, world->joints.used},
+	    {"counters.joint_events", c->joint_events, world->joints.used},
+	    {"counters.joined", c->joined, c->joints + pipeline->excluded},
+	};
+	for (size_t k = 0; k < sizeof counts / sizeof *counts; ++k)
+		TRY(check_count(index, counts[k].name, counts[k].count, counts[k].most));
+	return SCREE_OK;
+}
+
+// Returns the number of values of a chunk, 0 if it is missing. Lists without a counter have as many items as their chunk.
+static int count_of(const ChunkIndex* index, const char* name)
+{
+	const Chunk* chunk = chunk_find(index, name);
+	return chunk ? chunk->count : 0;
+}
+
+static scree_status read_slots(const ChunkIndex* index, scree_world* world, int k)
+{
+	Slots* slots = slots_at(world, k);
+	int used = slots->used;
+	slots->used = 0;
+	TRY(columns_check(index, LIST_TABLE(slots_of[k].prefix, generation_column), used));
+	if (!slots_reserve(slots, used))
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d slots", index->function, used);
+	TRY(columns_read(index, LIST_TABLE(slots_of[k].prefix, generation_column), slots->generation, sizeof(uint32_t),
+	                 used));
+	slots_restore(slots, slots_of[k].first, used);
+	return SCREE_OK;
+}
+
+static scree_status read_samples(const ChunkIndex* index, scree_world* world)
+{
+	char prefix[CHUNK_NAME];
+	for (int k = 0; k < world->paths.used; ++k)
+	{
+		HostPath* path = world->host_paths + k;
+		if (!slots_in_use(&world->paths, k))
+			continue;
+		snprintf(prefix, sizeof prefix, "samples%d+0", k);
+		if (path->segments < 1 || path->segments >= MAX_ITEMS || path->segments + 1 != count_of(index, prefix))
+			return snapshot_refuse(index, "path %d has %d segments, and %d samples", k, path->segments,
+			                       count_of(index, prefix));
+		path->samples = scree_allocate(((size_t)path->segments + 1) * sizeof *path->samples);
+		if (!path->samples)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d samples", index->function, path->segments + 1);
+		snprintf(prefix, sizeof prefix, "samples%d", k);
+		TRY(columns_read(index, LIST_TABLE(prefix, sample_columns), path->samples, sizeof *path->samples,
+		                 path->segments + 1));
+	}
+	return SCREE_OK;
+}
+
+scree_status host_read(const ChunkIndex* index, scree_world* world)
+{
+	const char* function = index->function;
+	TRY(columns_read(index, &host_columns[HOST_WORLD].table, world, sizeof *world, 1));
+	TRY(columns_read(index, &host_columns[HOST_PIPELINE].table, &world->pipeline, sizeof world->pipeline, 1));
+	TRY(columns_read(index, &host_columns[HOST_COUNTERS].table, &world->pipeline.counters, sizeof(Counters), 1));
+	TRY(check_counts(index, world));
+	for (int k = 0; k < SLOT_KINDS; ++k)
+		TRY(read_slots(index, world, k));
+#define ARRAY(kind, array, capacity, count, kept)                \
+	TRY(check_count(index, #count, count, INT32_MAX));           \
+	TRY(columns_check(index, &host_columns[kind].table, count)); \
+	TRY(GROW(function, array, capacity, kept));                  \
+	TRY(columns_read(index, &host_columns[kind].table, array, sizeof *(array), count));
+	HOST_ARRAYS(ARRAY)
+#undef ARRAY
+#define LIST(prefix, columns, array, capacity, count)              \
+	TRY(check_count(index, #count, count, INT32_MAX));             \
+	TRY(columns_check(index, LIST_TABLE(prefix, columns), count)); \
+	TRY(GROW(function, array, capacity, count));                   \
+	TRY(columns_read(index, LIST_TABLE(prefix, columns), array, sizeof *(array), count));
+	HOST_LISTS(LIST)
+#undef LIST
+	int departed = world->reports.departed_capacity;
+	world->reports.departed_capacity = 0;
+	TRY(check_count(index, "world.reports.departed_capacity", departed, 4 * world->collidables.used + 4096));
+	TRY(GROW(function, world->reports.departed, world->reports.departed_capacity, departed));
+	TRY(columns_read(index, &host_columns[HOST_DEPARTED].table, world->reports.departed, sizeof(CollidableName),
+	                 departed));
+	for (int k = departed; k < world->reports.departed_capacity; ++k)
+		world->reports.departed[k].step = -1;
+	// a step may send all joints again, without a check of memory
+	TRY(GROW(function, world->edits.joints, world->edits.joint_capacity, world->joints.capacity));
+	return read_samples(index, world);
+}
