@@ -22,28 +22,19 @@ typedef struct // a member of a struct
 	int count; // number of values: above 1 for an array in a struct of which there is only one
 } Column;
 
-#define MEMBER_BYTES(type, member) ((int)sizeof(((type*)0)->member))
-#define COLUMN(type, member)                                                             \
-	{                                                                                    \
-#member, COLUMN_ZERO, (int)offsetof(type, member), MEMBER_BYTES(type, member), 1 \
-	}
-#define COLUMN_INDEX(type, member)                                                       \
-	{                                                                                    \
-#member, COLUMN_NONE, (int)offsetof(type, member), MEMBER_BYTES(type, member), 1 \
-	}
-#define COLUMN_ALL(type, member)                                                         \
-	{                                                                                    \
-#member, COLUMN_EACH, (int)offsetof(type, member), MEMBER_BYTES(type, member), 1 \
-	}
-#define COLUMN_BOOL(type, member)                                                         \
-	{                                                                                     \
-#member, COLUMN_TRUTH, (int)offsetof(type, member), MEMBER_BYTES(type, member), 1 \
-	}
-#define COLUMN_ARRAY(type, member, value)                                      \
-	{                                                                          \
-#member, COLUMN_ZERO, (int)offsetof(type, member), (int)sizeof(value), \
-		    MEMBER_BYTES(type, member) / (int)sizeof(value)                    \
-	}
+// A column of a member; bools are found by their type.
+// clang-format off
+#define COLUMN_AS(kind, type, member, value, count) \
+	{#member, kind, (int)offsetof(type, member), (int)sizeof(value), count}
+#define MEMBER_OF(type, member) (((type*)0)->member)
+#define COLUMN(type, member)                                                              \
+	COLUMN_AS(_Generic(MEMBER_OF(type, member), bool: COLUMN_TRUTH, default: COLUMN_ZERO), \
+	          type, member, MEMBER_OF(type, member), 1)
+// clang-format on
+#define COLUMN_INDEX(type, member) COLUMN_AS(COLUMN_NONE, type, member, MEMBER_OF(type, member), 1)
+#define COLUMN_ALL(type, member)   COLUMN_AS(COLUMN_EACH, type, member, MEMBER_OF(type, member), 1)
+#define COLUMN_ARRAY(type, member, value) \
+	COLUMN_AS(COLUMN_ZERO, type, member, value, (int)(sizeof MEMBER_OF(type, member) / sizeof(value)))
 
 typedef struct // columns of a struct
 {

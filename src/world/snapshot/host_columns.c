@@ -13,12 +13,12 @@ static const Column world_columns[] = {
     COLUMN(scree_world, def.restitution_threshold),
     COLUMN(scree_world, def.max_speed),
     COLUMN(scree_world, def.contact_limit),
-    COLUMN_BOOL(scree_world, def.contact_details),
+    COLUMN(scree_world, def.contact_details),
     COLUMN(scree_world, def.hit_speed),
     COLUMN(scree_world, def.hit_impulse),
-    COLUMN_BOOL(scree_world, def.sleep),
+    COLUMN(scree_world, def.sleep),
     COLUMN(scree_world, def.sleep_threshold),
-    COLUMN_BOOL(scree_world, ruled),
+    COLUMN(scree_world, ruled),
     COLUMN(scree_world, bodies.used),
     COLUMN(scree_world, collidables.used),
     COLUMN(scree_world, attribute_slots.used),
@@ -33,7 +33,7 @@ static const Column world_columns[] = {
     COLUMN(scree_world, dynamic_bodies),
     COLUMN(scree_world, disabled_bodies),
     COLUMN(scree_world, kinematic_count),
-    COLUMN_BOOL(scree_world, own_masses),
+    COLUMN(scree_world, own_masses),
     COLUMN(scree_world, mass_sums.mass),
     COLUMN(scree_world, mass_sums.x),
     COLUMN(scree_world, mass_sums.y),
@@ -46,8 +46,8 @@ static const Column world_columns[] = {
     COLUMN(scree_world, reports.departed_capacity),
     COLUMN_ARRAY(scree_world, reports.counts, int),
     COLUMN(scree_world, reports.allowed_count),
-    COLUMN_BOOL(scree_world, reports.answered),
-    COLUMN_BOOL(scree_world, reports.lost),
+    COLUMN(scree_world, reports.answered),
+    COLUMN(scree_world, reports.lost),
     COLUMN(scree_world, sensors.alive),
     COLUMN(scree_world, sensors.visit_count),
     COLUMN(scree_world, sensors.began_count),
@@ -105,43 +105,43 @@ static const Column pipeline_columns[] = {
     COLUMN(Pipeline, step.collidables),
     COLUMN(Pipeline, step.contact_limit),
     COLUMN(Pipeline, sparse),
-    COLUMN_BOOL(Pipeline, jumps),
-    COLUMN_BOOL(Pipeline, sleeps),
+    COLUMN(Pipeline, jumps),
+    COLUMN(Pipeline, sleeps),
     COLUMN(Pipeline, collidables),
-    COLUMN_BOOL(Pipeline, settles),
+    COLUMN(Pipeline, settles),
     COLUMN(Pipeline, quiet),
-    COLUMN_BOOL(Pipeline, rested),
+    COLUMN(Pipeline, rested),
     COLUMN(Pipeline, skipped),
-    COLUMN_BOOL(Pipeline, surfaces_changed),
-    COLUMN_BOOL(Pipeline, reports),
-    COLUMN_BOOL(Pipeline, rules),
-    COLUMN_BOOL(Pipeline, platforms),
+    COLUMN(Pipeline, surfaces_changed),
+    COLUMN(Pipeline, reports),
+    COLUMN(Pipeline, rules),
+    COLUMN(Pipeline, platforms),
     COLUMN(Pipeline, material_pairs),
     COLUMN(Pipeline, excluded),
-    COLUMN_BOOL(Pipeline, asks),
-    COLUMN_BOOL(Pipeline, reverted),
-    COLUMN_BOOL(Pipeline, has_rolling),
-    COLUMN_BOOL(Pipeline, heavy),
-    COLUMN_BOOL(Pipeline, belts),
-    COLUMN_BOOL(Pipeline, segments),
-    COLUMN_BOOL(Pipeline, statics),
-    COLUMN_BOOL(Pipeline, bounces),
-    COLUMN_BOOL(Pipeline, round),
-    COLUMN_BOOL(Pipeline, has_drives),
-    COLUMN_BOOL(Pipeline, springs),
-    COLUMN_BOOL(Pipeline, couplings),
-    COLUMN_BOOL(Pipeline, paths),
-    COLUMN_BOOL(Pipeline, unlocked),
-    COLUMN_BOOL(Pipeline, tethers),
-    COLUMN_BOOL(Pipeline, can_break),
+    COLUMN(Pipeline, asks),
+    COLUMN(Pipeline, reverted),
+    COLUMN(Pipeline, has_rolling),
+    COLUMN(Pipeline, heavy),
+    COLUMN(Pipeline, belts),
+    COLUMN(Pipeline, segments),
+    COLUMN(Pipeline, statics),
+    COLUMN(Pipeline, bounces),
+    COLUMN(Pipeline, round),
+    COLUMN(Pipeline, has_drives),
+    COLUMN(Pipeline, springs),
+    COLUMN(Pipeline, couplings),
+    COLUMN(Pipeline, paths),
+    COLUMN(Pipeline, unlocked),
+    COLUMN(Pipeline, tethers),
+    COLUMN(Pipeline, can_break),
     COLUMN(Pipeline, chain_places),
-    COLUMN_BOOL(Pipeline, dirty),
+    COLUMN(Pipeline, dirty),
     COLUMN(Pipeline, continuous_way),
     COLUMN(Pipeline, continuous_reach),
     COLUMN(Pipeline, taut),
     COLUMN(Pipeline, rounds),
     COLUMN(Pipeline, steps),
-    COLUMN_BOOL(Pipeline, tells),
+    COLUMN(Pipeline, tells),
     COLUMN(Pipeline, grown),
 };
 
@@ -220,7 +220,7 @@ static const Column body_columns[] = {
     COLUMN(HostBody, stands),
     COLUMN(HostBody, from),
     COLUMN(HostBody, went),
-    COLUMN_BOOL(HostBody, still),
+    COLUMN(HostBody, still),
 };
 
 static const Column collidable_columns[] = {
@@ -255,9 +255,9 @@ static const Column attribute_columns[] = {
 };
 
 #define COORDINATE_COLUMNS(c)                                                                                         \
-	COLUMN(HostJoint, def.coordinates[c].target), COLUMN_BOOL(HostJoint, def.coordinates[c].locked),                  \
-	    COLUMN_BOOL(HostJoint, def.coordinates[c].limited), COLUMN_BOOL(HostJoint, def.coordinates[c].spring),        \
-	    COLUMN_BOOL(HostJoint, def.coordinates[c].motor), COLUMN(HostJoint, def.coordinates[c].lock_hertz),           \
+	COLUMN(HostJoint, def.coordinates[c].target), COLUMN(HostJoint, def.coordinates[c].locked),                       \
+	    COLUMN(HostJoint, def.coordinates[c].limited), COLUMN(HostJoint, def.coordinates[c].spring),                  \
+	    COLUMN(HostJoint, def.coordinates[c].motor), COLUMN(HostJoint, def.coordinates[c].lock_hertz),                \
 	    COLUMN(HostJoint, def.coordinates[c].lock_damping_ratio), COLUMN(HostJoint, def.coordinates[c].lower),        \
 	    COLUMN(HostJoint, def.coordinates[c].upper), COLUMN(HostJoint, def.coordinates[c].spring_hertz),              \
 	    COLUMN(HostJoint, def.coordinates[c].spring_damping_ratio), COLUMN(HostJoint, def.coordinates[c].spring_max), \
@@ -279,10 +279,10 @@ static const Column joint_columns[] = {
     COORDINATE_COLUMNS(2),
     COLUMN(HostJoint, def.hertz),
     COLUMN(HostJoint, def.damping_ratio),
-    COLUMN_BOOL(HostJoint, def.collide_connected),
-    COLUMN_BOOL(HostJoint, def.can_break),
-    COLUMN_BOOL(HostJoint, def.disabled),
-    COLUMN_BOOL(HostJoint, def.elliptic),
+    COLUMN(HostJoint, def.collide_connected),
+    COLUMN(HostJoint, def.can_break),
+    COLUMN(HostJoint, def.disabled),
+    COLUMN(HostJoint, def.elliptic),
     COLUMN(HostJoint, def.force_threshold),
     COLUMN(HostJoint, def.torque_threshold),
     COLUMN(HostJoint, def.user),
@@ -310,7 +310,7 @@ static const Column path_columns[] = {
 static const Column field_columns[] = {
     COLUMN_INDEX(HostField, body),       COLUMN(HostField, def.type),
     COLUMN(HostField, def.body),         COLUMN(HostField, def.pose),
-    SHAPE_COLUMNS(HostField, def.shape), COLUMN_BOOL(HostField, def.disabled),
+    SHAPE_COLUMNS(HostField, def.shape), COLUMN(HostField, def.disabled),
     COLUMN(HostField, def.category),     COLUMN(HostField, def.mask),
     COLUMN(HostField, def.acceleration), COLUMN(HostField, def.force),
     COLUMN(HostField, def.strength),     COLUMN(HostField, def.falloff),
@@ -333,8 +333,8 @@ static const Column target_columns[] = {
 };
 
 static const Column visit_columns[] = {
-    COLUMN_ALL(Visit, sensor), COLUMN(Visit, visitor),    COLUMN(Visit, time),
-    COLUMN(Visit, left),       COLUMN_BOOL(Visit, lasts), COLUMN_BOOL(Visit, before),
+    COLUMN_ALL(Visit, sensor), COLUMN(Visit, visitor), COLUMN(Visit, time),
+    COLUMN(Visit, left),       COLUMN(Visit, lasts),   COLUMN(Visit, before),
 };
 
 static const Column name_columns[] = {

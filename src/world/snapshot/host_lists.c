@@ -143,7 +143,7 @@ static scree_status check_counts(const ChunkIndex* index, const scree_world* wor
 		const char* name;
 		int count, most;
 	} counts[] = {
-	    {"world.bodies.used", world->bodies.used - 1, MAX_ITEMS - 1},
+	    {"world.bodies.used", world->bodies.used, MAX_ITEMS},
 	    {"world.collidables.used", world->collidables.used, MAX_ITEMS},
 	    {"world.attribute_slots.used", world->attribute_slots.used, MAX_ITEMS},
 	    {"world.joints.used", world->joints.used, MAX_ITEMS},
@@ -160,10 +160,12 @@ static scree_status check_counts(const ChunkIndex* index, const scree_world* wor
 	    {"counters.contacts", c->contacts, MAX_CONTACTS},
 	    {"counters.joints", c->joints, world->joints.used},
 	    {"counters.joint_events", c->joint_events, world->joints.used},
-	    {"counters.joined", c->joined, c->joints + pipeline->excluded},
+	    {"counters.joined", c->joined, 2 * MAX_ITEMS},
 	};
 	for (size_t k = 0; k < sizeof counts / sizeof *counts; ++k)
 		TRY(check_count(index, counts[k].name, counts[k].count, counts[k].most));
+	if (world->bodies.used == 0)
+		return snapshot_refuse(index, "it lacks body 0, the ground");
 	return SCREE_OK;
 }
 

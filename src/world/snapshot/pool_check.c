@@ -66,7 +66,7 @@ static scree_status check_attributes(const ChunkIndex* index, const scree_world*
 {
 	for (int k = 0; k < world->edits.attribute_rows; ++k)
 	{
-		CHECK(in_range(ITEMS(Attribute, attribute)[k].count, 0, MAX_CORNERS + 1), "attribute", k);
+		CHECK(in_range(ITEMS(Attribute, attribute)[k].count, 1, MAX_CORNERS + 1), "attribute", k);
 		CHECK(in_range(ITEMS(Rule, rule)[k].material, 0, MATERIALS), "rule", k);
 	}
 	return SCREE_OK;
@@ -172,7 +172,9 @@ static scree_status check_layout(const ChunkIndex* index, const LayoutCheck* c)
 	CHECK(begin[0] == 0, c->name, 0);
 	for (int color = 0; color <= COLORS; ++color)
 	{
-		CHECK(begin[color + 1] >= begin[color] && begin[color + 1] % COLOR_PADDING == 0, c->name, color);
+		CHECK(begin[color + 1] >= begin[color] && begin[color + 1] <= begin[COLORS + 1] &&
+		          begin[color + 1] % COLOR_PADDING == 0,
+		      c->name, color);
 		for (int place = begin[color]; place < begin[color + 1]; ++place)
 		{
 			int slot = c->place_slot[place];

@@ -11,7 +11,8 @@
 #define SAVED_KEPT(x)   x
 #define SAVED_PLACED(x) x
 #define SAVED_PREPARED(x)
-#define ROW_COLUMN(type, row)                                    {#row, COLUMN_ZERO, (int)offsetof(struct type, row), MEMBER_BYTES(struct type, row), 1},
+#define ROW_COLUMN(type, row) \
+	{#row, COLUMN_ZERO, (int)offsetof(struct type, row), (int)sizeof MEMBER_OF(struct type, row), 1},
 #define ROW_CONTACT(name, gate, life, inert, read, written)      SAVED_##life(ROW_COLUMN(ContactRows, name))
 #define ROW_CONTACT_RARE(name, gate, life, inert, read, written) SAVED_##life(ROW_COLUMN(ContactRareRows, name))
 #define ROW_JOINT(name, gate, life, inert, read, written)        ROW_COLUMN(JointRows, name)
