@@ -24,13 +24,20 @@ static void a_bouncing_ball_does_not_sleep(void** state)
 	close_sleepers(world);
 }
 
+// Opens a world with a belt of 120 m, whose surface is at y = 1.5 and moves at this speed, m/s.
+static scree_world* open_belt(float speed)
+{
+	scree_world* world = open_sleepers(-10.0f);
+	scree_attribute_def def = surface_of(box_shape(60.0f, 0.5f));
+	def.tangent_speed = speed;
+	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), 0.0f, 1.0f, 0.0f);
+	return world;
+}
+
 static void a_box_on_a_belt_does_not_sleep(void** state)
 {
 	(void)state;
-	scree_world* world = open_sleepers(-10.0f);
-	scree_attribute_def def = surface_of(box_shape(60.0f, 0.5f));
-	def.tangent_speed = 1.0f;
-	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), 0.0f, 1.0f, 0.0f);
+	scree_world* world = open_belt(1.0f);
 	scree_body box = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 2.0f);
 	run_as_before(world, &box, 1, 600, true);
 	NEAR(velocity_of(world, box).linear.x, 1.0, 0.01);
@@ -42,10 +49,7 @@ static void a_box_on_a_belt_does_not_sleep(void** state)
 static void slow_belts_keep_boxes_awake(void** state)
 {
 	(void)state;
-	scree_world* world = open_sleepers(-10.0f);
-	scree_attribute_def def = surface_of(box_shape(60.0f, 0.5f));
-	def.tangent_speed = 0.02f;
-	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), 0.0f, 1.0f, 0.0f);
+	scree_world* world = open_belt(0.02f);
 	scree_body box = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 2.0f),
 	           held = add_crate(world, SCREE_BODY_DYNAMIC, 9.0f, 2.0f);
 	add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 10.0f, 2.0f);

@@ -153,6 +153,13 @@ struct Backend
 	void* state;                       // state of the backend's implementation
 };
 
+// Returns the address of an item of a pool in host memory; null if pools are not in host memory.
+static inline void* pool_item_address(Backend* b, PoolId pool, int first)
+{
+	char* memory = b->f->address ? b->f->address(b, pool) : NULL;
+	return memory ? memory + (size_t)first * pool_info[pool].bytes : NULL;
+}
+
 // Open a device into *backend, allocated with scree_allocate (src/platform/error.h). On failure *backend is null.
 scree_status cpu_open(const BackendOptions* options, Backend** backend);
 scree_status opencl_open(const BackendOptions* options, Backend** backend);

@@ -3,6 +3,7 @@
 #include "platform/processor.h"
 #include "world/check.h"
 #include "world/failure.h"
+#include "world/snapshot/restore.h"
 #include "world/snapshot/snapshot.h"
 
 scree_status scree_world_snapshot(scree_world* world, const void** bytes, size_t* size)

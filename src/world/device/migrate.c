@@ -22,12 +22,6 @@ typedef struct // a move in progress
 	char* bounce;
 } Move;
 
-static char* address(Backend* b, PoolId pool, int first)
-{
-	char* memory = b->f->address ? b->f->address(b, pool) : NULL;
-	return memory ? memory + (size_t)first * pool_info[pool].bytes : NULL;
-}
-
 static scree_status fetch(Move* m, PoolId pool, int first, int count, void* items)
 {
 	Backend* from = m->world->backend;
@@ -37,7 +31,7 @@ static scree_status fetch(Move* m, PoolId pool, int first, int count, void* item
 static scree_status copy(Move* m, PoolId pool, int first, int to_first, int count)
 {
 	Backend* to = m->to;
-	char *here = address(m->world->backend, pool, first), *there = address(to, pool, to_first);
+	void *here = pool_item_address(m->world->backend, pool, first), *there = pool_item_address(to, pool, to_first);
 	if (here)
 		return to->f->write(to, pool, to_first, count, here);
 	if (there)

@@ -22,4 +22,11 @@ int kind_of_type(scree_body_type type);
 
 static inline int tree_of_kind(int kind) { return kind == KIND_STATIC; }
 
+// Returns whether a collidable is alive, its body is enabled, and it belongs to tree t (0: moving, 1: static).
+static inline bool collidable_in_tree(const scree_world* world, int index, int t)
+{
+	int kind = collidable_kind(world, index);
+	return kind != KIND_DEAD && tree_of_kind(kind) == t;
+}
+
 #endif

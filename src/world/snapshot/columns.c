@@ -130,21 +130,14 @@ static scree_status check_truths(const ChunkIndex* index, const Chunk* chunk)
 	return SCREE_OK;
 }
 
-static const Chunk* chunk_of(const ChunkIndex* index, const ColumnTable* table, const Column* column)
-{
-	char name[CHUNK_NAME + 1];
-	name_column(table, column, name);
-	return chunk_find(index, name);
-}
-
 scree_status columns_check(const ChunkIndex* index, const ColumnTable* table, int count)
 {
 	for (int c = 0; c < table->count; ++c)
 	{
 		const Column* column = table->columns + c;
-		const Chunk* chunk = chunk_of(index, table, column);
 		char name[CHUNK_NAME + 1];
 		name_column(table, column, name);
+		const Chunk* chunk = chunk_find(index, name);
 		int all = values_of(column, count);
 		if (chunk && (chunk->bytes != column->bytes || chunk->count != all))
 			return snapshot_refuse(index, "chunk %s has %d values of %d bytes, must have %d of %d", name, chunk->count,
@@ -157,13 +150,16 @@ scree_status columns_check(const ChunkIndex* index, const ColumnTable* table, in
 	return SCREE_OK;
 }
 
-scree_status columns_read(const ChunkIndex* index, const ColumnTable* table, void* items, size_t stride, int count)
+void columns_read(const ChunkIndex* index, const ColumnTable* table, void* items, size_t stride, int count)
 {
 	static const uint8_t ones[8] = {255, 255, 255, 255, 255, 255, 255, 255};
 	const Chunk* chunks[COLUMN_MOST];
-	TRY(columns_check(index, table, count));
 	for (int c = 0; c < table->count; ++c)
-		chunks[c] = chunk_of(index, table, table->columns + c);
+	{
+		char name[CHUNK_NAME + 1];
+		name_column(table, table->columns + c, name);
+		chunks[c] = chunk_find(index, name);
+	}
 	for (int first = 0; first < count; first += BLOCK)
 		for (int c = 0; c < table->count; ++c)
 		{
@@ -177,5 +173,4 @@ scree_status columns_read(const ChunkIndex* index, const ColumnTable* table, voi
 				for (int k = first; k < end; ++k)
 					memset((char*)value_at(items, stride, column, k), 0, (size_t)column->bytes);
 		}
-	return SCREE_OK;
 }

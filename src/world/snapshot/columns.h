@@ -57,10 +57,18 @@ void columns_write(ChunkWriter* writer, const ColumnTable* table, const void* it
 // Fails unless the chunks of the columns have the values of `count` structs. To be called before memory is allocated.
 scree_status columns_check(const ChunkIndex* index, const ColumnTable* table, int count);
 
-// Reads the columns of `count` structs; values of missing chunks are set to the default.
-scree_status columns_read(const ChunkIndex* index, const ColumnTable* table, void* items, size_t stride, int count);
+// Reads the columns of `count` structs, which columns_check has checked; values of missing chunks are set to the default.
+void columns_read(const ChunkIndex* index, const ColumnTable* table, void* items, size_t stride, int count);
 
 // Fails with SCREE_ERROR_INVALID and a sentence about the snapshot.
 scree_status snapshot_refuse(const ChunkIndex* index, const char* format, ...);
+
+// Fails with a sentence that names item k of a kind, unless `condition` is true. A variable `index` names the snapshot.
+#define CHECK_ITEM(condition, kind, k)                                                                   \
+	do                                                                                                   \
+	{                                                                                                    \
+		if (!(condition))                                                                                \
+			return snapshot_refuse(index, "%s %d is not consistent: !(%s)", kind, (int)(k), #condition); \
+	} while (0)
 
 #endif

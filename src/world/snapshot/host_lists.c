@@ -33,44 +33,49 @@ static const Column word64_column[] = {{"each", COLUMN_EACH, 0, sizeof(uint64_t)
 
 static Slots* slots_at(scree_world* world, int k) { return (Slots*)((char*)world + slots_of[k].offset); }
 
-// Arrays of a world that are saved as columns. ARRAY(kind, array, capacity, count, kept): kept is the number of items
-// for which memory is reserved, at least `count`.
-#define HOST_ARRAYS(ARRAY)                                                                                        \
-	ARRAY(HOST_BODY, world->host_bodies, world->host_body_capacity, world->bodies.used, world->bodies.capacity)   \
-	ARRAY(HOST_COLLIDABLE, world->host_collidables, world->host_collidable_capacity, world->collidables.used,     \
-	      world->collidables.capacity)                                                                            \
-	ARRAY(HOST_ATTRIBUTE_DEF, world->attributes, world->attribute_capacity, world->attribute_slots.used,          \
-	      world->attribute_slots.capacity)                                                                        \
-	ARRAY(HOST_ATTRIBUTE, world->host_attributes, world->host_attribute_capacity, world->attribute_slots.used,    \
-	      world->attribute_slots.capacity)                                                                        \
-	ARRAY(HOST_JOINT, world->host_joints, world->host_joint_capacity, world->joints.used, world->joints.capacity) \
-	ARRAY(HOST_PATH, world->host_paths, world->host_path_capacity, world->paths.used, world->paths.capacity)      \
-	ARRAY(HOST_FIELD, world->fields.host, world->fields.capacity, world->fields.slots.used,                       \
-	      world->fields.slots.capacity)                                                                           \
-	ARRAY(HOST_EXCLUSION, world->exclusions.rows, world->exclusions.capacity, world->exclusions.slots.used,       \
-	      world->exclusions.slots.capacity)                                                                       \
-	ARRAY(HOST_TARGET, world->targets, world->target_capacity, world->target_count, world->target_count)          \
-	ARRAY(HOST_VISIT, world->sensors.visits, world->sensors.visit_capacity, world->sensors.visit_count,           \
-	      world->sensors.visit_count)                                                                             \
-	ARRAY(HOST_VISIT_BEGAN, world->sensors.began, world->sensors.began_capacity, world->sensors.began_count,      \
-	      world->sensors.began_count)                                                                             \
-	ARRAY(HOST_VISIT_ENDED, world->sensors.ended, world->sensors.ended_capacity, world->sensors.ended_count,      \
-	      world->sensors.ended_count)
+#define LIST_TABLE(prefix, columns) (&(const ColumnTable)COLUMN_TABLE(prefix, columns))
 
-// Lists of a world whose items are words. LIST(prefix, columns, array, capacity, count)
-#define HOST_LISTS(LIST)                                                                                  \
-	LIST("kinematics", int_column, world->kinematics, world->kinematic_capacity, world->kinematic_count)  \
-	LIST("touch.ended", word64_column, world->reports.ended, world->reports.capacity[EVENT_TOUCH_ENDED],  \
-	     world->reports.counts[EVENT_TOUCH_ENDED])                                                        \
-	LIST("approved", word64_column, world->reports.allowed, world->reports.allowed_capacity,              \
-	     world->reports.allowed_count)                                                                    \
-	LIST("touch.began", report_columns, world->reports.began, world->reports.capacity[EVENT_TOUCH_BEGAN], \
-	     world->reports.counts[EVENT_TOUCH_BEGAN])                                                        \
-	LIST("hit", report_columns, world->reports.hits, world->reports.capacity[EVENT_HIT],                  \
-	     world->reports.counts[EVENT_HIT])                                                                \
-	LIST("asked", report_columns, world->reports.asked, world->reports.capacity[EVENT_APPROVALS],         \
-	     world->reports.counts[EVENT_APPROVALS])                                                          \
-	LIST("material", material_columns, world->materials.rows, world->materials.capacity, world->pipeline.material_pairs)
+// Arrays of a world that are saved as columns. ARRAY(table, array, capacity, count, kept): kept is the number of items
+// for which memory is reserved, at least `count`.
+#define HOST_ARRAYS(ARRAY)                                                                                             \
+	ARRAY(&host_columns[HOST_BODY].table, world->host_bodies, world->host_body_capacity, world->bodies.used,           \
+	      world->bodies.capacity)                                                                                      \
+	ARRAY(&host_columns[HOST_COLLIDABLE].table, world->host_collidables, world->host_collidable_capacity,              \
+	      world->collidables.used, world->collidables.capacity)                                                        \
+	ARRAY(&host_columns[HOST_ATTRIBUTE_DEF].table, world->attributes, world->attribute_capacity,                       \
+	      world->attribute_slots.used, world->attribute_slots.capacity)                                                \
+	ARRAY(&host_columns[HOST_ATTRIBUTE].table, world->host_attributes, world->host_attribute_capacity,                 \
+	      world->attribute_slots.used, world->attribute_slots.capacity)                                                \
+	ARRAY(&host_columns[HOST_JOINT].table, world->host_joints, world->host_joint_capacity, world->joints.used,         \
+	      world->joints.capacity)                                                                                      \
+	ARRAY(&host_columns[HOST_PATH].table, world->host_paths, world->host_path_capacity, world->paths.used,             \
+	      world->paths.capacity)                                                                                       \
+	ARRAY(&host_columns[HOST_FIELD].table, world->fields.host, world->fields.capacity, world->fields.slots.used,       \
+	      world->fields.slots.capacity)                                                                                \
+	ARRAY(&host_columns[HOST_EXCLUSION].table, world->exclusions.rows, world->exclusions.capacity,                     \
+	      world->exclusions.slots.used, world->exclusions.slots.capacity)                                              \
+	ARRAY(&host_columns[HOST_TARGET].table, world->targets, world->target_capacity, world->target_count,               \
+	      world->target_count)                                                                                         \
+	ARRAY(&host_columns[HOST_VISIT].table, world->sensors.visits, world->sensors.visit_capacity,                       \
+	      world->sensors.visit_count, world->sensors.visit_count)                                                      \
+	ARRAY(&host_columns[HOST_VISIT_BEGAN].table, world->sensors.began, world->sensors.began_capacity,                  \
+	      world->sensors.began_count, world->sensors.began_count)                                                      \
+	ARRAY(&host_columns[HOST_VISIT_ENDED].table, world->sensors.ended, world->sensors.ended_capacity,                  \
+	      world->sensors.ended_count, world->sensors.ended_count)                                                      \
+	ARRAY(LIST_TABLE("kinematics", int_column), world->kinematics, world->kinematic_capacity, world->kinematic_count,  \
+	      world->kinematic_count)                                                                                      \
+	ARRAY(LIST_TABLE("touch.ended", word64_column), world->reports.ended, world->reports.capacity[EVENT_TOUCH_ENDED],  \
+	      world->reports.counts[EVENT_TOUCH_ENDED], world->reports.counts[EVENT_TOUCH_ENDED])                          \
+	ARRAY(LIST_TABLE("approved", word64_column), world->reports.allowed, world->reports.allowed_capacity,              \
+	      world->reports.allowed_count, world->reports.allowed_count)                                                  \
+	ARRAY(LIST_TABLE("touch.began", report_columns), world->reports.began, world->reports.capacity[EVENT_TOUCH_BEGAN], \
+	      world->reports.counts[EVENT_TOUCH_BEGAN], world->reports.counts[EVENT_TOUCH_BEGAN])                          \
+	ARRAY(LIST_TABLE("hit", report_columns), world->reports.hits, world->reports.capacity[EVENT_HIT],                  \
+	      world->reports.counts[EVENT_HIT], world->reports.counts[EVENT_HIT])                                          \
+	ARRAY(LIST_TABLE("asked", report_columns), world->reports.asked, world->reports.capacity[EVENT_APPROVALS],         \
+	      world->reports.counts[EVENT_APPROVALS], world->reports.counts[EVENT_APPROVALS])                              \
+	ARRAY(LIST_TABLE("material", material_columns), world->materials.rows, world->materials.capacity,                  \
+	      world->pipeline.material_pairs, world->pipeline.material_pairs)
 
 #define WORD(offset)                    \
 	{                                   \
@@ -89,8 +94,6 @@ static const Column report_columns[] = {{NULL, COLUMN_EACH, 0, 4, 1},
 static const Column material_columns[] = {WORDS4(0)};
 static const Column sample_columns[] = {WORDS4(0), WORDS4(16)};
 _Static_assert(sizeof(ContactReport) == 96 && sizeof(MaterialPair) == 16 && sizeof(PathSample) == 32, "columns");
-
-#define LIST_TABLE(prefix, columns) (&(const ColumnTable)COLUMN_TABLE(prefix, columns))
 
 static void write_samples(ChunkWriter* writer, scree_world* world)
 {
@@ -114,14 +117,9 @@ void host_write(ChunkWriter* writer, scree_world* world)
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		columns_write(writer, LIST_TABLE(slots_of[k].prefix, generation_column), slots_at(world, k)->generation,
 		              sizeof(uint32_t), slots_at(world, k)->used);
-#define ARRAY(kind, array, capacity, count, kept) \
-	columns_write(writer, &host_columns[kind].table, array, sizeof *(array), count);
+#define ARRAY(table, array, capacity, count, kept) columns_write(writer, table, array, sizeof *(array), count);
 	HOST_ARRAYS(ARRAY)
 #undef ARRAY
-#define LIST(prefix, columns, array, capacity, count) \
-	columns_write(writer, LIST_TABLE(prefix, columns), array, sizeof *(array), count);
-	HOST_LISTS(LIST)
-#undef LIST
 	columns_write(writer, &host_columns[HOST_DEPARTED].table, world->reports.departed, sizeof(CollidableName),
 	              departed);
 	write_samples(writer, world);
@@ -184,8 +182,7 @@ static scree_status read_slots(const ChunkIndex* index, scree_world* world, int 
 	TRY(columns_check(index, LIST_TABLE(slots_of[k].prefix, generation_column), used));
 	if (!slots_reserve(slots, used))
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d slots", index->function, used);
-	TRY(columns_read(index, LIST_TABLE(slots_of[k].prefix, generation_column), slots->generation, sizeof(uint32_t),
-	                 used));
+	columns_read(index, LIST_TABLE(slots_of[k].prefix, generation_column), slots->generation, sizeof(uint32_t), used);
 	slots_restore(slots, slots_of[k].first, used);
 	return SCREE_OK;
 }
@@ -202,45 +199,46 @@ static scree_status read_samples(const ChunkIndex* index, scree_world* world)
 		if (path->segments < 1 || path->segments >= MAX_ITEMS || path->segments + 1 != count_of(index, prefix))
 			return snapshot_refuse(index, "path %d has %d segments, and %d samples", k, path->segments,
 			                       count_of(index, prefix));
+		snprintf(prefix, sizeof prefix, "samples%d", k);
+		TRY(columns_check(index, LIST_TABLE(prefix, sample_columns), path->segments + 1));
 		path->samples = scree_allocate(((size_t)path->segments + 1) * sizeof *path->samples);
 		if (!path->samples)
 			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d samples", index->function, path->segments + 1);
-		snprintf(prefix, sizeof prefix, "samples%d", k);
-		TRY(columns_read(index, LIST_TABLE(prefix, sample_columns), path->samples, sizeof *path->samples,
-		                 path->segments + 1));
+		columns_read(index, LIST_TABLE(prefix, sample_columns), path->samples, sizeof *path->samples,
+		             path->segments + 1);
 	}
+	return SCREE_OK;
+}
+
+static scree_status read_struct(const ChunkIndex* index, HostTable table, void* item)
+{
+	TRY(columns_check(index, &host_columns[table].table, 1));
+	columns_read(index, &host_columns[table].table, item, host_columns[table].bytes, 1);
 	return SCREE_OK;
 }
 
 scree_status host_read(const ChunkIndex* index, scree_world* world)
 {
 	const char* function = index->function;
-	TRY(columns_read(index, &host_columns[HOST_WORLD].table, world, sizeof *world, 1));
-	TRY(columns_read(index, &host_columns[HOST_PIPELINE].table, &world->pipeline, sizeof world->pipeline, 1));
-	TRY(columns_read(index, &host_columns[HOST_COUNTERS].table, &world->pipeline.counters, sizeof(Counters), 1));
+	TRY(read_struct(index, HOST_WORLD, world));
+	TRY(read_struct(index, HOST_PIPELINE, &world->pipeline));
+	TRY(read_struct(index, HOST_COUNTERS, &world->pipeline.counters));
 	TRY(check_counts(index, world));
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		TRY(read_slots(index, world, k));
-#define ARRAY(kind, array, capacity, count, kept)                \
-	TRY(check_count(index, #count, count, INT32_MAX));           \
-	TRY(columns_check(index, &host_columns[kind].table, count)); \
-	TRY(GROW(function, array, capacity, kept));                  \
-	TRY(columns_read(index, &host_columns[kind].table, array, sizeof *(array), count));
+#define ARRAY(table, array, capacity, count, kept)     \
+	TRY(check_count(index, #count, count, INT32_MAX)); \
+	TRY(columns_check(index, table, count));           \
+	TRY(GROW(function, array, capacity, kept));        \
+	columns_read(index, table, array, sizeof *(array), count);
 	HOST_ARRAYS(ARRAY)
 #undef ARRAY
-#define LIST(prefix, columns, array, capacity, count)              \
-	TRY(check_count(index, #count, count, INT32_MAX));             \
-	TRY(columns_check(index, LIST_TABLE(prefix, columns), count)); \
-	TRY(GROW(function, array, capacity, count));                   \
-	TRY(columns_read(index, LIST_TABLE(prefix, columns), array, sizeof *(array), count));
-	HOST_LISTS(LIST)
-#undef LIST
 	int departed = world->reports.departed_capacity;
 	world->reports.departed_capacity = 0;
 	TRY(check_count(index, "world.reports.departed_capacity", departed, 4 * world->collidables.used + 4096));
+	TRY(columns_check(index, &host_columns[HOST_DEPARTED].table, departed));
 	TRY(GROW(function, world->reports.departed, world->reports.departed_capacity, departed));
-	TRY(columns_read(index, &host_columns[HOST_DEPARTED].table, world->reports.departed, sizeof(CollidableName),
-	                 departed));
+	columns_read(index, &host_columns[HOST_DEPARTED].table, world->reports.departed, sizeof(CollidableName), departed);
 	for (int k = departed; k < world->reports.departed_capacity; ++k)
 		world->reports.departed[k].step = -1;
 	// a step may send all joints again, without a check of memory

@@ -14,14 +14,6 @@
 #define FAR      1e9f // m: bodies stop at 1e8 m
 #define FEATURES 16   // number of features of a shape: corners, then edges
 
-// Fails with a sentence that names item k of a pool, unless `condition` is true.
-#define CHECK(condition, pool, k)                                                                                     \
-	do                                                                                                                \
-	{                                                                                                                 \
-		if (!(condition))                                                                                             \
-			return snapshot_refuse(index, "item %d of pool %s is not consistent: !(%s)", (int)(k), pool, #condition); \
-	} while (0)
-
 #define ITEMS(type, pool) ((const type*)pools[POOL_##pool])
 
 static bool in_range(int x, int least, int end) { return x >= least && x < end; }
@@ -55,7 +47,7 @@ static scree_status check_floats(const ChunkIndex* index, const scree_world* wor
 		size_t floats = pool_info[all[p].pool].bytes / sizeof(float);
 		size_t count = (size_t)lasting_items(world, pool_info[all[p].pool].per) * floats;
 		for (size_t k = 0; k < count; ++k)
-			CHECK(fabsf(values[k]) <= all[p].most, pool_info[all[p].pool].name, k / floats);
+			CHECK_ITEM(fabsf(values[k]) <= all[p].most, pool_info[all[p].pool].name, k / floats);
 	}
 	return SCREE_OK;
 }
@@ -66,8 +58,8 @@ static scree_status check_attributes(const ChunkIndex* index, const scree_world*
 {
 	for (int k = 0; k < world->edits.attribute_rows; ++k)
 	{
-		CHECK(in_range(ITEMS(Attribute, attribute)[k].count, 1, MAX_CORNERS + 1), "attribute", k);
-		CHECK(in_range(ITEMS(Rule, rule)[k].material, 0, MATERIALS), "rule", k);
+		CHECK_ITEM(in_range(ITEMS(Attribute, attribute)[k].count, 1, MAX_CORNERS + 1), "attribute", k);
+		CHECK_ITEM(in_range(ITEMS(Rule, rule)[k].material, 0, MATERIALS), "rule", k);
 	}
 	return SCREE_OK;
 }
@@ -80,15 +72,15 @@ static scree_status check_collidables(const ChunkIndex* index, const scree_world
 		const HostCollidable* host = world->host_collidables + k;
 		bool there = device_kind(world, k) != KIND_DEAD; // the device has no row for a collidable of a disabled body
 		int next = ITEMS(int, next_collidable)[k], body = ITEMS(int, collidable_body)[k];
-		CHECK(ITEMS(int, collidable_kind)[k] == device_kind(world, k), "collidable_kind", k);
-		CHECK(there ? body == host->body : in_range(body, -1, world->bodies.used), "collidable_body", k);
-		CHECK(in_range(ITEMS(int, collidable_attribute)[k], 0, rows), "collidable_attribute", k);
-		CHECK(!there || ITEMS(int, collidable_attribute)[k] == host->attribute, "collidable_attribute", k);
-		CHECK(there ? next == host->next + 1 : in_range(next, 0, used + 1), "next_collidable", k);
-		CHECK(!there || is_turn(ITEMS(Float4, collidable_pose)[k].z, ITEMS(Float4, collidable_pose)[k].w),
-		      "collidable_pose", k);
-		CHECK(in_range(ITEMS(WorldShape, world_shape)[k].attribute, 0, rows), "world_shape", k);
-		CHECK(in_range(ITEMS(WorldShape, world_shape)[k].body, -1, world->bodies.used), "world_shape", k);
+		CHECK_ITEM(ITEMS(int, collidable_kind)[k] == device_kind(world, k), "collidable_kind", k);
+		CHECK_ITEM(there ? body == host->body : in_range(body, -1, world->bodies.used), "collidable_body", k);
+		CHECK_ITEM(in_range(ITEMS(int, collidable_attribute)[k], 0, rows), "collidable_attribute", k);
+		CHECK_ITEM(!there || ITEMS(int, collidable_attribute)[k] == host->attribute, "collidable_attribute", k);
+		CHECK_ITEM(there ? next == host->next + 1 : in_range(next, 0, used + 1), "next_collidable", k);
+		CHECK_ITEM(!there || is_turn(ITEMS(Float4, collidable_pose)[k].z, ITEMS(Float4, collidable_pose)[k].w),
+		           "collidable_pose", k);
+		CHECK_ITEM(in_range(ITEMS(WorldShape, world_shape)[k].attribute, 0, rows), "world_shape", k);
+		CHECK_ITEM(in_range(ITEMS(WorldShape, world_shape)[k].body, -1, world->bodies.used), "world_shape", k);
 	}
 	return SCREE_OK;
 }
@@ -100,12 +92,13 @@ static scree_status check_bodies(const ChunkIndex* index, const scree_world* wor
 	{
 		const ContinuousBody* c = ITEMS(ContinuousBody, continuous_body) + k;
 		bool there = k > 0 && slots_in_use(&world->bodies, k);
-		CHECK(c->first == 0 || (there && c->first == world->host_bodies[k].first_collidable + 1), "continuous_body", k);
-		CHECK(!there || is_turn(ITEMS(Float4, pose)[k].z, ITEMS(Float4, pose)[k].w), "pose", k);
-		CHECK(in_range(c->parts, 0, CONTINUOUS_PARTS + 1), "continuous_body", k);
-		CHECK(in_range(ITEMS(int, sleep)[k] & SLEEP_ISLAND, 0, used + 1), "sleep", k);
-		CHECK(ITEMS(int, sleep)[k] >= 0, "sleep", k);
-		CHECK(in_range(ITEMS(int, hub)[k], 0, used), "hub", k);
+		CHECK_ITEM(c->first == 0 || (there && c->first == world->host_bodies[k].first_collidable + 1),
+		           "continuous_body", k);
+		CHECK_ITEM(!there || is_turn(ITEMS(Float4, pose)[k].z, ITEMS(Float4, pose)[k].w), "pose", k);
+		CHECK_ITEM(in_range(c->parts, 0, CONTINUOUS_PARTS + 1), "continuous_body", k);
+		CHECK_ITEM(in_range(ITEMS(int, sleep)[k] & SLEEP_ISLAND, 0, used + 1), "sleep", k);
+		CHECK_ITEM(ITEMS(int, sleep)[k] >= 0, "sleep", k);
+		CHECK_ITEM(in_range(ITEMS(int, hub)[k], 0, used), "hub", k);
 	}
 	return SCREE_OK;
 }
@@ -121,16 +114,16 @@ static scree_status check_contacts(const ChunkIndex* index, const scree_world* w
 	{
 		Int2 pair = ITEMS(Int2, pair)[k], bodies = ITEMS(Int2, contact_bodies)[k];
 		bool there = pair.x >= 0;
-		CHECK(there ? in_range(pair.x, 0, used) && in_range(pair.y, 0, used) : pair.x == -1, "pair", k);
-		CHECK(in_range(bodies.x, 0, world->bodies.used) && in_range(bodies.y, 0, world->bodies.used), "contact_bodies",
-		      k);
+		CHECK_ITEM(there ? in_range(pair.x, 0, used) && in_range(pair.y, 0, used) : pair.x == -1, "pair", k);
+		CHECK_ITEM(in_range(bodies.x, 0, world->bodies.used) && in_range(bodies.y, 0, world->bodies.used),
+		           "contact_bodies", k);
 		Word flags = ITEMS(Word, contact_flags)[k];
-		CHECK((flags & CONTACT_COUNT) <= 2 && !(flags & unused), "contact_flags", k);
+		CHECK_ITEM((flags & CONTACT_COUNT) <= 2 && !(flags & unused), "contact_flags", k);
 		for (int p = 0; p < 2; ++p)
 		{
 			int feature = p ? ITEMS(Int2, contact_feature)[k].y : ITEMS(Int2, contact_feature)[k].x;
-			CHECK(feature == -1 || (in_range(feature >> 8, 0, FEATURES) && (feature & 255) < FEATURES),
-			      "contact_feature", k);
+			CHECK_ITEM(feature == -1 || (in_range(feature >> 8, 0, FEATURES) && (feature & 255) < FEATURES),
+			           "contact_feature", k);
 		}
 	}
 	return SCREE_OK;
@@ -144,15 +137,15 @@ static scree_status check_joints(const ChunkIndex* index, const scree_world* wor
 		const JointEdit made = joint_edit(world, k);
 		Int2 bodies = ITEMS(Int2, joint_bodies)[k];
 		if (slots_in_use(&world->joints, k))
-			CHECK(memcmp(data, &made.data, sizeof *data) == 0, "joint_data", k);
+			CHECK_ITEM(memcmp(data, &made.data, sizeof *data) == 0, "joint_data", k);
 		else
-			CHECK(!(ITEMS(int, joint_flags)[k] & JOINT_THERE), "joint_flags", k);
-		CHECK(in_range(bodies.x, 0, world->bodies.used) && in_range(bodies.y, 0, world->bodies.used), "joint_bodies",
-		      k);
-		CHECK(ITEMS(int, joint_spot)[k] == world->host_joints[k].spot, "joint_spot", k);
+			CHECK_ITEM(!(ITEMS(int, joint_flags)[k] & JOINT_THERE), "joint_flags", k);
+		CHECK_ITEM(in_range(bodies.x, 0, world->bodies.used) && in_range(bodies.y, 0, world->bodies.used),
+		           "joint_bodies", k);
+		CHECK_ITEM(ITEMS(int, joint_spot)[k] == world->host_joints[k].spot, "joint_spot", k);
 	}
 	for (int k = 0; k < world->pipeline.counters.joint_events; ++k)
-		CHECK(in_range(ITEMS(JointEvent, joint_event)[k].slot, 0, world->joints.used), "joint_event", k);
+		CHECK_ITEM(in_range(ITEMS(JointEvent, joint_event)[k].slot, 0, world->joints.used), "joint_event", k);
 	return SCREE_OK;
 }
 
@@ -169,35 +162,35 @@ static scree_status check_layout(const ChunkIndex* index, const LayoutCheck* c)
 {
 	const int* begin = c->layout->begin;
 	int listed = 0, placed = 0;
-	CHECK(begin[0] == 0, c->name, 0);
+	CHECK_ITEM(begin[0] == 0, c->name, 0);
 	for (int color = 0; color <= COLORS; ++color)
 	{
-		CHECK(begin[color + 1] >= begin[color] && begin[color + 1] <= begin[COLORS + 1] &&
-		          begin[color + 1] % COLOR_PADDING == 0,
-		      c->name, color);
+		CHECK_ITEM(begin[color + 1] >= begin[color] && begin[color + 1] <= begin[COLORS + 1] &&
+		               begin[color + 1] % COLOR_PADDING == 0,
+		           c->name, color);
 		for (int place = begin[color]; place < begin[color + 1]; ++place)
 		{
 			int slot = c->place_slot[place];
-			CHECK(in_range(slot, -1, c->slots), c->name, place);
+			CHECK_ITEM(in_range(slot, -1, c->slots), c->name, place);
 			if (slot < 0 || c->place[slot] == -1) // -1: the user destroyed or changed the joint since the last step
 				continue;
-			CHECK(c->place[slot] == place && c->color[slot] == color, c->name, place);
+			CHECK_ITEM(c->place[slot] == place && c->color[slot] == color, c->name, place);
 			++listed;
 		}
 	}
 	for (int color = 0; color <= COLORS; ++color)
 	{
-		CHECK(in_range(c->layout->count[color], 0, begin[color + 1] - begin[color] + 1), c->name, color);
-		CHECK(in_range(c->layout->first[color], 0, c->slots + 1), c->name, color);
-		CHECK(in_range(c->layout->last[color], c->layout->first[color], c->slots + 1), c->name, color);
+		CHECK_ITEM(in_range(c->layout->count[color], 0, begin[color + 1] - begin[color] + 1), c->name, color);
+		CHECK_ITEM(in_range(c->layout->first[color], 0, c->slots + 1), c->name, color);
+		CHECK_ITEM(in_range(c->layout->last[color], c->layout->first[color], c->slots + 1), c->name, color);
 	}
 	for (int k = 0; k < c->slots; ++k)
 	{
-		CHECK(in_range(c->color[k], COLOR_WANTED, COLORS + 1), c->name, k);
-		CHECK(in_range(c->place[k], -1, begin[COLORS + 1]), c->name, k);
+		CHECK_ITEM(in_range(c->color[k], COLOR_WANTED, COLORS + 1), c->name, k);
+		CHECK_ITEM(in_range(c->place[k], -1, begin[COLORS + 1]), c->name, k);
 		placed += c->place[k] >= 0;
 	}
-	CHECK(placed == listed, c->name, placed);
+	CHECK_ITEM(placed == listed, c->name, placed);
 	return SCREE_OK;
 }
 
@@ -208,23 +201,23 @@ static scree_status check_rows(const ChunkIndex* index, const scree_world* world
 	{
 		const struct ContactRows* rows = ITEMS(struct ContactRows, contact_rows) + place / MAX_LANES;
 		Int2 pair = ITEMS(Int2, contact_place_pair)[place];
-		CHECK(in_range(rows->body_a[place % MAX_LANES], 0, world->bodies.used), "contact_rows", place);
-		CHECK(in_range(rows->body_b[place % MAX_LANES], 0, world->bodies.used), "contact_rows", place);
-		CHECK(in_range(pair.x, 0, world->collidables.used) && in_range(pair.y, 0, world->collidables.used),
-		      "contact_place_pair", place);
+		CHECK_ITEM(in_range(rows->body_a[place % MAX_LANES], 0, world->bodies.used), "contact_rows", place);
+		CHECK_ITEM(in_range(rows->body_b[place % MAX_LANES], 0, world->bodies.used), "contact_rows", place);
+		CHECK_ITEM(in_range(pair.x, 0, world->collidables.used) && in_range(pair.y, 0, world->collidables.used),
+		           "contact_place_pair", place);
 	}
 	for (int place = 0; place < layout[CONSTRAINT_JOINT].begin[COLORS + 1]; ++place)
 	{
 		const struct JointRows* rows = ITEMS(struct JointRows, joint_rows) + place / MAX_LANES;
 		const struct JointRareRows* rare = ITEMS(struct JointRareRows, joint_rare_rows) + place / MAX_LANES;
 		int lane = place % MAX_LANES, slot = ITEMS(int, joint_place_slot)[place];
-		CHECK(in_range(rows->body_a[lane], 0, world->bodies.used), "joint_rows", place);
-		CHECK(in_range(rows->body_b[lane], 0, world->bodies.used), "joint_rows", place);
+		CHECK_ITEM(in_range(rows->body_a[lane], 0, world->bodies.used), "joint_rows", place);
+		CHECK_ITEM(in_range(rows->body_b[lane], 0, world->bodies.used), "joint_rows", place);
 		if (slot < 0 || world->host_joints[slot].path < 0)
 			continue;
 		float segment = rare->path_segment[lane],
 		      last = (float)world->host_paths[world->host_joints[slot].path].segments;
-		CHECK(segment >= 0.0f && segment < last, "joint_rare_rows", place);
+		CHECK_ITEM(segment >= 0.0f && segment < last, "joint_rare_rows", place);
 	}
 	return SCREE_OK;
 }

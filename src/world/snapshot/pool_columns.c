@@ -26,7 +26,22 @@ static const Column contact_rare_rows[] = {CONTACT_RARE_ROWS(ROW_CONTACT_RARE) R
 static const Column joint_rows[] = {ROW_COLUMN(JointRows, body_a) ROW_COLUMN(JointRows, body_b) JOINT_ROWS(ROW_JOINT)};
 static const Column joint_rare_rows[] = {JOINT_RARE_ROWS(ROW_JOINT_RARE)};
 
-#define COUNT_OF(table) ((int)(sizeof(table) / sizeof *(table)))
+typedef struct
+{
+	PoolId pool;
+	const Column* columns;
+	int count;
+} RowColumns;
+
+#define ROWS(name)                                              \
+	{                                                           \
+		POOL_##name, name, (int)(sizeof(name) / sizeof *(name)) \
+	}
+static const RowColumns rows_of[] = {ROWS(contact_rows), ROWS(contact_rare_rows), ROWS(joint_rows),
+                                     ROWS(joint_rare_rows)};
+
+static const Column leaf_column[] = {{"each", COLUMN_EACH, 0, sizeof(int), 1}};
+const ColumnTable leaf_tables[2] = {COLUMN_TABLE("leaves0", leaf_column), COLUMN_TABLE("leaves1", leaf_column)};
 
 // Returns whether a pool follows from other data of a snapshot: counters are saved by name, samples of paths with the
 // paths, and the other pools follow from the data on the host.
@@ -55,30 +70,17 @@ bool pool_columns(PoolId pool, PoolColumns* columns)
 	ColumnTable* table = &columns->table;
 	snprintf(columns->prefix, sizeof columns->prefix, "pool.%s", pool_info[pool].name);
 	table->prefix = columns->prefix;
+	for (size_t k = 0; k < sizeof rows_of / sizeof *rows_of; ++k)
+		if (rows_of[k].pool == pool)
+		{
+			table->columns = rows_of[k].columns;
+			table->count = rows_of[k].count;
+			return true;
+		}
 	table->columns = columns->columns;
-	switch (pool)
-	{
-	case POOL_contact_rows:
-		table->columns = contact_rows;
-		table->count = COUNT_OF(contact_rows);
-		break;
-	case POOL_contact_rare_rows:
-		table->columns = contact_rare_rows;
-		table->count = COUNT_OF(contact_rare_rows);
-		break;
-	case POOL_joint_rows:
-		table->columns = joint_rows;
-		table->count = COUNT_OF(joint_rows);
-		break;
-	case POOL_joint_rare_rows:
-		table->columns = joint_rare_rows;
-		table->count = COUNT_OF(joint_rare_rows);
-		break;
-	default:
-		table->count = columns_of_words((int)pool_info[pool].bytes, columns->columns);
-		if (pool == POOL_pair || pool == POOL_contact_place_slot || pool == POOL_joint_place_slot)
-			columns->columns[0].kind = COLUMN_EACH;
-	}
+	table->count = columns_of_words((int)pool_info[pool].bytes, columns->columns);
+	if (pool == POOL_pair || pool == POOL_contact_place_slot || pool == POOL_joint_place_slot)
+		columns->columns[0].kind = COLUMN_EACH;
 	return true;
 }
 
