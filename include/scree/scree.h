@@ -376,6 +376,24 @@ SCREE_API scree_status scree_world_create_from(const scree_world_def* def, const
 // and lanes. Handles of the one are valid in the other.
 SCREE_API scree_status scree_world_clone(scree_world* world, const scree_world_def* def, scree_world** clone);
 
+// Saves, for rollback. A save is a copy of the state of a world in the memory of its device. It is faster than a snapshot,
+// but belongs to its world: it ends with it. A world that moves to another device takes its saves along. Saves are no part
+// of snapshots, and scree_world_restore keeps them.
+#define SCREE_SAVES 64 // number of saves that a world can have
+
+// Saves a world. save: number of the save, from 0 to SCREE_SAVES - 1; an older save of this number is replaced. Pending
+// changes of the user are in the save. What only the user changes, such as shapes, masses and joints, is copied if it
+// changed since the last save. If memory is missing, fails with SCREE_ERROR_OUT_OF_MEMORY; the older save may then be lost.
+SCREE_API scree_status scree_world_save(scree_world* world, int save);
+
+// Returns a world to the state of a save. The save stays. Handles and lists are as after scree_world_restore. Fails with
+// SCREE_ERROR_INVALID if there is no save of this number, and with SCREE_ERROR_OUT_OF_MEMORY; the world is then unchanged.
+// A failure of the device is sticky, as after scree_world_step.
+SCREE_API scree_status scree_world_load(scree_world* world, int save);
+
+// Gives up a save, so that other saves can use its memory. Has no effect if there is no save of this number.
+SCREE_API scree_status scree_world_discard(scree_world* world, int save);
+
 typedef struct scree_counters
 {
 	int bodies, dynamic_bodies;  // current numbers

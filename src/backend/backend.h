@@ -103,6 +103,9 @@ typedef struct // every function that returns a status sets the error's sentence
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
 	// sets `count` items of a pool from item `first` on to zero, in order with the runs
 	scree_status (*clear)(Backend* b, PoolId pool, int first, int count);
+	// copies `count` items of a pool from item `first` on to the pool `saved` from item `at` on (back: from there), in
+	// order with the runs
+	scree_status (*keep)(Backend* b, PoolId pool, int first, int count, int at, bool back);
 	// a read in two halves: read_begin starts a copy after the runs before it; read_end returns when this copy is done,
 	// even if later runs are not. At most one copy at a time, of at most READ_ASYNC_BYTES
 	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);

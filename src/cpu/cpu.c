@@ -96,6 +96,7 @@ static const BackendFunctions functions = {
     .write = cpu_write,
     .read = cpu_read,
     .clear = cpu_clear,
+    .keep = cpu_keep,
     .read_begin = cpu_read_begin,
     .read_end = cpu_read_end,
     .batch = batch_whole,

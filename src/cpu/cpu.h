@@ -74,6 +74,7 @@ scree_status cpu_resize(Backend* b, Per per, int capacity);
 scree_status cpu_write(Backend* b, PoolId pool, int first, int count, const void* items);
 scree_status cpu_read(Backend* b, PoolId pool, int first, int count, void* items);
 scree_status cpu_clear(Backend* b, PoolId pool, int first, int count);
+scree_status cpu_keep(Backend* b, PoolId pool, int first, int count, int at, bool back);
 scree_status cpu_read_begin(Backend* b, PoolId pool, int first, int count);
 scree_status cpu_read_end(Backend* b, void* items);
 void* cpu_address(Backend* b, PoolId pool);

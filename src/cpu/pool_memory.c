@@ -73,6 +73,16 @@ scree_status cpu_clear(Backend* b, PoolId pool, int first, int count)
 	return SCREE_OK;
 }
 
+scree_status cpu_keep(Backend* b, PoolId pool, int first, int count, int at, bool back)
+{
+	size_t bytes = pool_info[pool].bytes;
+	char* here = pool_memory(b->state, pool) + (size_t)first * bytes;
+	char* there = pool_memory(b->state, POOL_saved) + (size_t)at * pool_info[POOL_saved].bytes;
+	if (count > 0)
+		memcpy(back ? here : there, back ? there : here, (size_t)count * bytes);
+	return SCREE_OK;
+}
+
 scree_status cpu_read_begin(Backend* b, PoolId pool, int first, int count)
 {
 	Cpu* cpu = b->state;

@@ -230,6 +230,20 @@ static scree_status opencl_clear(Backend* b, PoolId pool, int first, int count)
 	            pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, 0, NULL, NULL);
 }
 
+static scree_status opencl_keep(Backend* b, PoolId pool, int first, int count, int at, bool back)
+{
+	OpenCl* d = b->state;
+	size_t bytes = pool_info[pool].bytes;
+	size_t here = pool_offset(d, pool) + bytes * (size_t)first;
+	size_t there = pool_offset(d, POOL_saved) + pool_info[POOL_saved].bytes * (size_t)at;
+	cl_mem buffer = pool_buffer(d, pool), saved = pool_buffer(d, POOL_saved);
+	if (count == 0)
+		return SCREE_OK;
+	d->tiles.stale |= back;
+	return CALL(EnqueueCopyBuffer, d->queue, back ? saved : buffer, back ? buffer : saved, back ? there : here,
+	            back ? here : there, bytes * (size_t)count, 0, NULL, NULL);
+}
+
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
 // Returns the maximum number of work-items per group of a kernel. It is 1 for branches on a CPU, because PoCL would
@@ -322,6 +336,7 @@ static scree_status opencl_open_device(const BackendOptions* options, const Devi
 	    .write = opencl_write,
 	    .read = opencl_read,
 	    .clear = opencl_clear,
+	    .keep = opencl_keep,
 	    .read_begin = opencl_read_begin,
 	    .read_end = opencl_read_end,
 	    .batch = opencl_batch,

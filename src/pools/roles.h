@@ -45,6 +45,7 @@ typedef enum // kind of the items of a pool
 	PER_KEY,
 	PER_COMMAND,
 	PER_HASH,
+	PER_SAVED, // 16 bytes of a save
 	PER_ONE,
 	PER_COUNT
 } Per;

@@ -68,7 +68,7 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	if (capacity <= old)
 		return SCREE_OK;
 	int64_t wanted = rounded(capacity > old + old / 2 ? capacity : (int64_t)old + old / 2);
-	pipeline->grown += old > 0;
+	pipeline->grown += old > 0 && per != PER_SAVED; // saves change no state
 
 	scree_status status = SCREE_OK;
 	int* leaves = NULL;

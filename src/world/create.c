@@ -12,6 +12,7 @@
 #include "world/objects/paths.h"
 #include "world/objects/reports.h"
 #include "world/objects/sensors.h"
+#include "world/save/saves.h"
 #include "world/world.h"
 #include <stdio.h>
 
@@ -38,6 +39,7 @@ static void close_queries(const Queries* queries)
 void world_destroy(scree_world* world)
 {
 	auto_close(world);
+	saves_close(world);
 	pipeline_close(&world->pipeline);
 	if (world->backend)
 		world->backend->f->close(world->backend);

@@ -221,6 +221,45 @@ typedef struct // a snapshot that is being written (snapshot/chunks.h)
 	size_t used, capacity;
 } ChunkWriter;
 
+#define SAVES SCREE_SAVES
+
+typedef struct // a range of items of the pool `saved`
+{
+	int first, count;
+} SavedRange;
+
+typedef struct // copies of the data that only calls of the user change; saves between which they do not change share them
+{
+	int uses;         // number of saves that share it; 0: unused
+	uint64_t version; // Saves.version at the time of the copy
+	ChunkWriter host;
+	SavedRange range;
+	int counts[POOL_COUNT]; // number of items of each pool
+} SavedStructure;
+
+typedef struct // a save of the user
+{
+	bool made;
+	int structure;    // index of its SavedStructure
+	ChunkWriter host; // data on the host that steps change
+	SavedRange range;
+	int counts[POOL_COUNT];
+	int leaves[2]; // number of leaves of each tree
+} Save;
+
+typedef struct
+{
+	Save saves[SAVES];
+	SavedStructure structures[SAVES + 1]; // one more, which a save fills before it gives up the one that it had
+} SaveList;
+
+typedef struct
+{
+	uint64_t version, last; // version of the structure of the world, which changes with each call that changes it
+	int end;                // number of items of the pool `saved` that are in use
+	SaveList* list;         // null before the first save
+} Saves;
+
 struct scree_world
 {
 	scree_world_def def;
@@ -268,6 +307,7 @@ struct scree_world
 	size_t shared[SHARED_USES]; // bytes of the memory that is shared for each use; 0 while no memory is shared
 	AutoDevice auto_device;
 	ChunkWriter snapshot; // the last snapshot
+	Saves saves;
 	char device[160];     // name of the present device
 	void* scratch;        // temporary memory for one call; see world_scratch
 	size_t scratch_bytes;

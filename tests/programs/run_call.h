@@ -26,6 +26,7 @@ struct Names
 	void* saved; // the last snapshot, or null
 	size_t saved_size;
 	Open saved_open; // `open` when the snapshot was taken
+	bool rolls;      // the last load was that of a save, not of a snapshot
 };
 
 typedef struct // outcome of a call

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_snapshot.c -- takes and restores snapshots of the world of a program.
+// run_snapshot.c -- takes and restores snapshots and saves of the world of a program.
 #include "programs/run_call.h"
 #include <stdlib.h>
 #include <string.h>
@@ -21,6 +21,9 @@ scree_status run_save(const CallRun* r)
 {
 	free(r->names->saved);
 	r->names->saved_open = r->names->open;
+	scree_status status = scree_world_save(r->world, 0);
+	if (status != SCREE_OK)
+		return status;
 	return take(r->world, &r->names->saved, &r->names->saved_size);
 }
 
@@ -28,7 +31,11 @@ scree_status run_load(const CallRun* r)
 {
 	if (!r->names->saved)
 		return SCREE_OK;
-	scree_status status = scree_world_restore(r->world, r->names->saved, r->names->saved_size);
+	// saves and snapshots by turns
+	r->names->rolls = !r->names->rolls;
+	scree_status status = r->names->rolls
+	                          ? scree_world_load(r->world, 0)
+	                          : scree_world_restore(r->world, r->names->saved, r->names->saved_size);
 	if (status == SCREE_OK)
 	{
 		r->names->open = r->names->saved_open;
@@ -47,11 +54,12 @@ void snapshot_repeat(scree_world* world, bool steps)
 {
 	void* saved;
 	size_t size;
-	if (take(world, &saved, &size) != SCREE_OK)
+	if (take(world, &saved, &size) != SCREE_OK || scree_world_save(world, SCREE_SAVES - 1) != SCREE_OK)
 		return;
 	if (steps)
 		scree_world_step(world, 1.0f / 60.0f, 4);
-	if (scree_world_restore(world, saved, size) != SCREE_OK)
+	scree_status status = size & 8 ? scree_world_load(world, SCREE_SAVES - 1) : scree_world_restore(world, saved, size);
+	if (status != SCREE_OK)
 		fprintf(stderr, "%s\n", scree_error()); // later calls then differ
 	free(saved);
 }

@@ -12,6 +12,7 @@
 #include "world/objects/kinematics.h"
 #include "world/objects/mass.h"
 #include "world/objects/targets.h"
+#include "world/save/structure.h"
 #include "world/upload/whole_sleep.h"
 #include "world/world.h"
 
@@ -249,6 +250,7 @@ scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t u
 	HostBody* host;
 	TRY(lookup(world, "scree_body_set_user", body, "user", &user, &host));
 	host->user = user;
+	structure_changed(world);
 	return SCREE_OK;
 }
 

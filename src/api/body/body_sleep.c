@@ -9,6 +9,7 @@
 #include "world/objects/sleep.h"
 #include "world/own_queries.h"
 #include "world/pool_read.h"
+#include "world/save/structure.h"
 #include "world/shape/geometry.h"
 #include "world/upload/upload.h"
 #include "world/upload/whole_sleep.h"
@@ -160,6 +161,7 @@ scree_status scree_body_set_stays_awake(scree_world* world, scree_body body, boo
 	TRY(lookup(world, function, body, "stays_awake", &stays_awake, &host));
 	TRY(edits_reserve(world, function, 0, 0, 1));
 	host->stays_awake = stays_awake;
+	structure_changed(world);
 	send_threshold(world, host);
 	return SCREE_OK;
 }

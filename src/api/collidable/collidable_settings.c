@@ -11,6 +11,7 @@
 #include "world/objects/sensors.h"
 #include "world/objects/sleep.h"
 #include "world/pool_values.h"
+#include "world/save/structure.h"
 #include <string.h>
 
 static scree_status lookup(const scree_world* world, const char* function, scree_collidable collidable,
@@ -118,6 +119,7 @@ scree_status scree_collidable_set_user(scree_world* world, scree_collidable coll
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_set_user", collidable, "user", &user, &host));
 	host->user = user;
+	structure_changed(world);
 	return SCREE_OK;
 }
 

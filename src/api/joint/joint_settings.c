@@ -7,6 +7,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
+#include "world/save/structure.h"
 #include <float.h>
 #include <string.h>
 
@@ -123,6 +124,7 @@ scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_
 	int index = 0;
 	TRY(lookup(world, "scree_joint_set_user", joint, &index));
 	world->host_joints[index].def.user = user;
+	structure_changed(world);
 	return SCREE_OK;
 }
 

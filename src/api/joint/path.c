@@ -6,6 +6,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/path_samples.h"
 #include "world/objects/paths.h"
+#include "world/save/structure.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -166,6 +167,7 @@ scree_status scree_path_set_user(scree_world* world, scree_path path, uint64_t u
 	TRY(world_check(world, function));
 	TRY(lookup(world, function, path, &index));
 	world->host_paths[index].user = user;
+	structure_changed(world);
 	return SCREE_OK;
 }
 

@@ -49,6 +49,8 @@ int lasting_items(const scree_world* world, Per per)
 		return held(world, per, INT_MAX);
 	case PER_ONE:
 		return 1;
+	case PER_SAVED:
+		return world->saves.end;
 	default:
 		return 0; // scratch pools, and trees: their leaves are copied one by one, and the new device computes their nodes
 	}

@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "world/memory.h"
 #include "world/pool_values.h"
+#include "world/save/structure.h"
 #include "world/world.h"
 #include <math.h>
 #include <string.h>
@@ -132,12 +133,14 @@ scree_status attribute_claim(scree_world* world, const char* function, const scr
 		*entry = make(world, name, def) + 1;
 	*index = *entry - 1;
 	++world->host_attributes[*index].claims;
+	structure_changed(world);
 	return SCREE_OK;
 }
 
 void attribute_disclaim(scree_world* world, int index)
 {
 	HostAttribute* host = world->host_attributes + index;
+	structure_changed(world);
 	if (--host->claims > 0)
 		return;
 	forget(world, find(world, host->name, world->attributes + index));

@@ -4,19 +4,12 @@
 #include "platform/error.h"
 #include "world/memory.h"
 #include "world/objects/attributes.h"
+#include "world/snapshot/host_arrays.h"
 #include "world/snapshot/host_columns.h"
 #include "world/world.h"
 #include <stdio.h>
 
-// Slots of a kind of object: the name of its chunk, and the first slot that may be in use.
-typedef struct
-{
-	const char* prefix;
-	size_t offset; // offset of the Slots in a world
-	int first;
-} SlotsOf;
-
-static const SlotsOf slots_of[] = {
+const SlotsOf slots_of[SLOT_KINDS] = {
     {"slots.body", offsetof(scree_world, bodies), 1},
     {"slots.collidable", offsetof(scree_world, collidables), 0},
     {"slots.attribute", offsetof(scree_world, attribute_slots), 0},
@@ -25,57 +18,10 @@ static const SlotsOf slots_of[] = {
     {"slots.field", offsetof(scree_world, fields.slots), 0},
     {"slots.exclusion", offsetof(scree_world, exclusions.slots), 0},
 };
-#define SLOT_KINDS ((int)(sizeof slots_of / sizeof *slots_of))
 
 static const Column generation_column[] = {{"generation", COLUMN_EACH, 0, sizeof(uint32_t), 1}};
 static const Column int_column[] = {{"each", COLUMN_EACH, 0, sizeof(int), 1}};
 static const Column word64_column[] = {{"each", COLUMN_EACH, 0, sizeof(uint64_t), 1}};
-
-static Slots* slots_at(scree_world* world, int k) { return (Slots*)((char*)world + slots_of[k].offset); }
-
-#define LIST_TABLE(prefix, columns) (&(const ColumnTable)COLUMN_TABLE(prefix, columns))
-
-// Arrays of a world that are saved as columns. ARRAY(table, array, capacity, count, kept): kept is the number of items
-// for which memory is reserved, at least `count`.
-#define HOST_ARRAYS(ARRAY)                                                                                             \
-	ARRAY(&host_columns[HOST_BODY].table, world->host_bodies, world->host_body_capacity, world->bodies.used,           \
-	      world->bodies.capacity)                                                                                      \
-	ARRAY(&host_columns[HOST_COLLIDABLE].table, world->host_collidables, world->host_collidable_capacity,              \
-	      world->collidables.used, world->collidables.capacity)                                                        \
-	ARRAY(&host_columns[HOST_ATTRIBUTE_DEF].table, world->attributes, world->attribute_capacity,                       \
-	      world->attribute_slots.used, world->attribute_slots.capacity)                                                \
-	ARRAY(&host_columns[HOST_ATTRIBUTE].table, world->host_attributes, world->host_attribute_capacity,                 \
-	      world->attribute_slots.used, world->attribute_slots.capacity)                                                \
-	ARRAY(&host_columns[HOST_JOINT].table, world->host_joints, world->host_joint_capacity, world->joints.used,         \
-	      world->joints.capacity)                                                                                      \
-	ARRAY(&host_columns[HOST_PATH].table, world->host_paths, world->host_path_capacity, world->paths.used,             \
-	      world->paths.capacity)                                                                                       \
-	ARRAY(&host_columns[HOST_FIELD].table, world->fields.host, world->fields.capacity, world->fields.slots.used,       \
-	      world->fields.slots.capacity)                                                                                \
-	ARRAY(&host_columns[HOST_EXCLUSION].table, world->exclusions.rows, world->exclusions.capacity,                     \
-	      world->exclusions.slots.used, world->exclusions.slots.capacity)                                              \
-	ARRAY(&host_columns[HOST_TARGET].table, world->targets, world->target_capacity, world->target_count,               \
-	      world->target_count)                                                                                         \
-	ARRAY(&host_columns[HOST_VISIT].table, world->sensors.visits, world->sensors.visit_capacity,                       \
-	      world->sensors.visit_count, world->sensors.visit_count)                                                      \
-	ARRAY(&host_columns[HOST_VISIT_BEGAN].table, world->sensors.began, world->sensors.began_capacity,                  \
-	      world->sensors.began_count, world->sensors.began_count)                                                      \
-	ARRAY(&host_columns[HOST_VISIT_ENDED].table, world->sensors.ended, world->sensors.ended_capacity,                  \
-	      world->sensors.ended_count, world->sensors.ended_count)                                                      \
-	ARRAY(LIST_TABLE("kinematics", int_column), world->kinematics, world->kinematic_capacity, world->kinematic_count,  \
-	      world->kinematic_count)                                                                                      \
-	ARRAY(LIST_TABLE("touch.ended", word64_column), world->reports.ended, world->reports.capacity[EVENT_TOUCH_ENDED],  \
-	      world->reports.counts[EVENT_TOUCH_ENDED], world->reports.counts[EVENT_TOUCH_ENDED])                          \
-	ARRAY(LIST_TABLE("approved", word64_column), world->reports.allowed, world->reports.allowed_capacity,              \
-	      world->reports.allowed_count, world->reports.allowed_count)                                                  \
-	ARRAY(LIST_TABLE("touch.began", report_columns), world->reports.began, world->reports.capacity[EVENT_TOUCH_BEGAN], \
-	      world->reports.counts[EVENT_TOUCH_BEGAN], world->reports.counts[EVENT_TOUCH_BEGAN])                          \
-	ARRAY(LIST_TABLE("hit", report_columns), world->reports.hits, world->reports.capacity[EVENT_HIT],                  \
-	      world->reports.counts[EVENT_HIT], world->reports.counts[EVENT_HIT])                                          \
-	ARRAY(LIST_TABLE("asked", report_columns), world->reports.asked, world->reports.capacity[EVENT_APPROVALS],         \
-	      world->reports.counts[EVENT_APPROVALS], world->reports.counts[EVENT_APPROVALS])                              \
-	ARRAY(LIST_TABLE("material", material_columns), world->materials.rows, world->materials.capacity,                  \
-	      world->pipeline.material_pairs, world->pipeline.material_pairs)
 
 #define WORD(offset)                    \
 	{                                   \
@@ -117,7 +63,7 @@ void host_write(ChunkWriter* writer, scree_world* world)
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		columns_write(writer, LIST_TABLE(slots_of[k].prefix, generation_column), slots_at(world, k)->generation,
 		              sizeof(uint32_t), slots_at(world, k)->used);
-#define ARRAY(table, array, capacity, count, kept) columns_write(writer, table, array, sizeof *(array), count);
+#define ARRAY(part, table, array, capacity, count, kept) columns_write(writer, table, array, sizeof *(array), count);
 	HOST_ARRAYS(ARRAY)
 #undef ARRAY
 	columns_write(writer, &host_columns[HOST_DEPARTED].table, world->reports.departed, sizeof(CollidableName),
@@ -226,7 +172,7 @@ scree_status host_read(const ChunkIndex* index, scree_world* world)
 	TRY(check_counts(index, world));
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		TRY(read_slots(index, world, k));
-#define ARRAY(table, array, capacity, count, kept)     \
+#define ARRAY(part, table, array, capacity, count, kept)     \
 	TRY(check_count(index, #count, count, INT32_MAX)); \
 	TRY(columns_check(index, table, count));           \
 	TRY(GROW(function, array, capacity, kept));        \

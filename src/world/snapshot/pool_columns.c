@@ -44,7 +44,7 @@ static const Column leaf_column[] = {{"each", COLUMN_EACH, 0, sizeof(int), 1}};
 const ColumnTable leaf_tables[2] = {COLUMN_TABLE("leaves0", leaf_column), COLUMN_TABLE("leaves1", leaf_column)};
 
 // Returns whether a pool follows from other data of a snapshot: counters are saved by name, samples of paths with the
-// paths, and the other pools follow from the data on the host.
+// paths, and the other pools follow from the data on the host. Saves are no part of a snapshot.
 static bool follows(PoolId pool)
 {
 	switch (pool_info[pool].per)
@@ -57,6 +57,7 @@ static bool follows(PoolId pool)
 	case PER_PATH_SAMPLE:
 	case PER_ONE:
 	case PER_LEAF:
+	case PER_SAVED:
 		return true;
 	default:
 		return pool_info[pool].role > STANDING;

@@ -10,6 +10,7 @@
 #include "world/failure.h"
 #include "world/objects/attributes.h"
 #include "world/objects/collidables.h"
+#include "world/save/structure.h"
 #include "world/snapshot/host_check.h"
 #include "world/snapshot/host_lists.h"
 #include "world/snapshot/pool_check.h"
@@ -165,7 +166,7 @@ static scree_status write_device(Restore* r, Backend* b)
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		int count = r->pools[pool] ? lasting_items(made, pool_info[pool].per) : 0;
-		if (pool_info[pool].role != SCRATCH)
+		if (pool_info[pool].role != SCRATCH && pool_info[pool].per != PER_SAVED)
 			TRY(write_items(b, (PoolId)pool, count, r->pools[pool]));
 	}
 	TRY(write_samples(made, b));
@@ -185,6 +186,8 @@ static void adopt(scree_world* world, scree_world* made)
 	memcpy(made->shared, world->shared, sizeof made->shared);
 	memcpy(made->device, world->device, sizeof made->device);
 	made->snapshot = world->snapshot;
+	made->saves = world->saves;
+	structure_changed(made);
 	made->pipeline.first_contacts = world->pipeline.first_contacts;
 	made->chains_stale = true;
 	made->fields.stale = true;
@@ -196,6 +199,7 @@ static void adopt(scree_world* world, scree_world* made)
 	made->backend = NULL;
 	made->auto_device = (AutoDevice){0};
 	made->snapshot = (ChunkWriter){0};
+	made->saves = (Saves){0};
 }
 
 static scree_status restore(Restore* r, scree_world* world, const void* bytes, size_t size)

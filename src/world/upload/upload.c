@@ -16,6 +16,7 @@
 #include "world/objects/materials.h"
 #include "world/objects/paths.h"
 #include "world/objects/reports.h"
+#include "world/save/structure.h"
 #include "world/upload/edit_order.h"
 #include "world/upload/upload_commands.h"
 #include "world/upload/upload_rows.h"
@@ -139,6 +140,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 	if (no_edits(&world->edits))
 		return SCREE_OK;
 	idle_note(world);
+	structure_note(world);
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
 	char* memory;
@@ -163,6 +165,8 @@ static scree_status upload(scree_world* world, bool steps)
 	    !world->fields.stale)
 		return SCREE_OK;
 	world->pipeline.edited = true;
+	if (world->fields.stale || world->materials.waiting || world->exclusions.waiting)
+		structure_changed(world);
 	TRY(reports_fetch(world)); // reads the events first, because an upload may change the items to which they refer
 	world->pipeline.trees[0].seen = false;
 	double begin = auto_clock();

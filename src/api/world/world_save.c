@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// world_save.c -- saves a world in the memory of its device, and loads it again.
+#include "platform/processor.h"
+#include "world/check.h"
+#include "world/failure.h"
+#include "world/save/saves.h"
+
+static scree_status check_number(scree_world* world, const char* function, int save)
+{
+	TRY(world_check(world, function));
+	if (save < 0 || save >= SCREE_SAVES)
+		return fail(SCREE_ERROR_INVALID, "%s: save is %d, must be from 0 to %d", function, save, SCREE_SAVES - 1);
+	return SCREE_OK;
+}
+
+scree_status scree_world_save(scree_world* world, int save)
+{
+	FLOAT_MODE_HERE;
+	TRY(check_number(world, "scree_world_save", save));
+	return world_save(world, "scree_world_save", save);
+}
+
+scree_status scree_world_load(scree_world* world, int save)
+{
+	FLOAT_MODE_HERE;
+	TRY(check_number(world, "scree_world_load", save));
+	return world_load(world, "scree_world_load", save);
+}
+
+scree_status scree_world_discard(scree_world* world, int save)
+{
+	FLOAT_MODE_HERE;
+	TRY(check_number(world, "scree_world_discard", save));
+	world_discard(world, save);
+	return SCREE_OK;
+}

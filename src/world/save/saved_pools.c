@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// saved_pools.c -- copies items of pools to the pool `saved` and back, without the bus. A save contains the pools that
+// outlive a step. Pools that only calls of the user change belong to the structure.
+#include "world/save/saved_pools.h"
+#include "platform/error.h"
+#include "step/reserve.h"
+#include "world/device/lasting.h"
+
+static bool is_structure(PoolId pool)
+{
+	switch (pool)
+	{
+	case POOL_attribute:
+	case POOL_thickness:
+	case POOL_rule:
+	case POOL_material_pair:
+	case POOL_collidable_kind:
+	case POOL_collidable_body:
+	case POOL_collidable_attribute:
+	case POOL_collidable_pose:
+	case POOL_filter:
+	case POOL_next_collidable:
+	case POOL_local_center:
+	case POOL_stored_velocity:
+	case POOL_continuous_body:
+	case POOL_sleep_threshold:
+	case POOL_joint_data:
+	case POOL_excluded:
+	case POOL_joint_spot:
+	case POOL_chain:
+	case POOL_branch:
+	case POOL_path_sample:
+		return true;
+	default:
+		return false;
+	}
+}
+
+static bool is_saved(PoolId pool, bool structure)
+{
+	return pool_info[pool].role <= STANDING && pool_info[pool].per != PER_SAVED && pool != POOL_leaf &&
+	       is_structure(pool) == structure;
+}
+
+static int64_t units(size_t bytes, int count)
+{
+	size_t unit = pool_info[POOL_saved].bytes;
+	return (int64_t)((bytes * (size_t)count + unit - 1) / unit);
+}
+
+int64_t saved_pools_count(const scree_world* world, bool structure, int counts[POOL_COUNT])
+{
+	int64_t sum = 0;
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		counts[pool] = is_saved((PoolId)pool, structure) ? lasting_items(world, pool_info[pool].per) : 0;
+		sum += units(pool_info[pool].bytes, counts[pool]);
+	}
+	for (int t = 0; t < 2 && !structure; ++t)
+		sum += units(sizeof(int), world->pipeline.trees[t].tree.leaves);
+	return sum;
+}
+
+scree_status saved_pools_copy(scree_world* world, bool structure, SavedRange range, const int counts[POOL_COUNT],
+                              const int leaves[2], bool back)
+{
+	Backend* b = world->backend;
+	int at = range.first;
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		if (!is_saved((PoolId)pool, structure))
+			continue;
+		int used = back ? lasting_items(world, pool_info[pool].per) : 0;
+		TRY(b->f->keep(b, (PoolId)pool, 0, counts[pool], at, back));
+		if (used > counts[pool]) // items that the world has gained since
+			TRY(b->f->clear(b, (PoolId)pool, counts[pool], used - counts[pool]));
+		at += (int)units(pool_info[pool].bytes, counts[pool]);
+	}
+	for (int t = 0; t < 2 && !structure; ++t)
+	{
+		TRY(b->f->keep(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], leaves[t], at, back));
+		at += (int)units(sizeof(int), leaves[t]);
+	}
+	return SCREE_OK;
+}
+
+scree_status saved_pools_reserve(scree_world* world, const int counts[POOL_COUNT])
+{
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+		if (counts[pool] > 0)
+			TRY(pipeline_reserve(&world->pipeline, pool_info[pool].per, counts[pool]));
+	return SCREE_OK;
+}

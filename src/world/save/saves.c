@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// saves.c -- keeps saves of a world in the memory of its device, to which it goes back many times a second. A save
+// contains the data that steps change. The rest, the structure, is shared by all saves between which it did not change.
+#include "world/save/saves.h"
+#include "platform/error.h"
+#include "step/reserve.h"
+#include "step/tree_maintenance.h"
+#include "world/failure.h"
+#include "world/objects/reports.h"
+#include "world/save/saved_host.h"
+#include "world/save/saved_pools.h"
+#include "world/upload/upload.h"
+#include <string.h>
+
+#define STRUCTURES ((int)(sizeof((SaveList*)0)->structures / sizeof *((SaveList*)0)->structures))
+
+// Returns the range of a save (below SAVES) or of a structure.
+static SavedRange range_at(const SaveList* list, int k)
+{
+	return k < SAVES ? list->saves[k].range : list->structures[k - SAVES].range;
+}
+
+static bool is_free(const SaveList* list, SavedRange range)
+{
+	for (int k = 0; k < SAVES + STRUCTURES; ++k)
+	{
+		SavedRange other = range_at(list, k);
+		if (other.count > 0 && range.first < other.first + other.count && other.first < range.first + range.count)
+			return false;
+	}
+	return true;
+}
+
+static void measure(Saves* saves)
+{
+	saves->end = 0;
+	for (int k = 0; k < SAVES + STRUCTURES; ++k)
+	{
+		SavedRange range = range_at(saves->list, k);
+		saves->end = range.first + range.count > saves->end ? range.first + range.count : saves->end;
+	}
+}
+
+// Finds the lowest free range of at least `count` items, or keeps *range if it is large enough.
+static scree_status find_range(scree_world* world, const char* function, int64_t count, SavedRange* range)
+{
+	const SaveList* list = world->saves.list;
+	if (count <= range->count)
+		return SCREE_OK;
+	count += count / 8;
+	int64_t lowest = INT32_MAX;
+	for (int k = -1; k < SAVES + STRUCTURES; ++k)
+	{
+		SavedRange after = k < 0 ? (SavedRange){0, 0} : range_at(list, k);
+		int64_t first = after.first + after.count;
+		if (first + count < INT32_MAX / 2 && first < lowest && is_free(list, (SavedRange){(int)first, (int)count}))
+			lowest = first;
+	}
+	if (lowest == INT32_MAX)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: saves of more than 16 GB", function);
+	TRY(world_note(world, pipeline_reserve(&world->pipeline, PER_SAVED, (int)(lowest + count))));
+	*range = (SavedRange){(int)lowest, (int)count};
+	return SCREE_OK;
+}
+
+static scree_status fill_structure(scree_world* world, const char* function, SavedStructure* structure)
+{
+	int64_t count = saved_pools_count(world, true, structure->counts);
+	TRY(saved_structure_write(world, function, &structure->host));
+	TRY(find_range(world, function, count, &structure->range));
+	measure(&world->saves);
+	return world_note(world, saved_pools_copy(world, true, structure->range, structure->counts, NULL, false));
+}
+
+// Finds the copy of the present structure, or makes one. Sets *index to its number.
+static scree_status find_structure(scree_world* world, const char* function, int* index)
+{
+	SaveList* list = world->saves.list;
+	int unused = -1;
+	for (int k = 0; k < STRUCTURES; ++k)
+	{
+		*index = k;
+		if (list->structures[k].uses > 0 && list->structures[k].version == world->saves.version)
+			return SCREE_OK;
+		unused = list->structures[k].uses == 0 ? k : unused;
+	}
+	*index = unused;
+	TRY(fill_structure(world, function, list->structures + unused));
+	list->structures[unused].version = world->saves.version;
+	return SCREE_OK;
+}
+
+static void give_up(SaveList* list, Save* save)
+{
+	if (save->made)
+		--list->structures[save->structure].uses;
+	save->made = false;
+}
+
+scree_status world_save(scree_world* world, const char* function, int number)
+{
+	if (!world->saves.list)
+		world->saves.list = scree_allocate(sizeof *world->saves.list);
+	SaveList* list = world->saves.list;
+	if (!list)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for saves", function);
+	TRY(world_upload(world));
+	TRY(reports_fetch(world));
+	TRY(world_note(world, tree_upload(&world->pipeline))); // appends new leaves
+	Save* save = list->saves + number;
+	Save made = {.made = true};
+	TRY(find_structure(world, function, &made.structure));
+	for (int t = 0; t < 2; ++t)
+		made.leaves[t] = world->pipeline.trees[t].tree.leaves;
+	made.range = save->range;
+	TRY(find_range(world, function, saved_pools_count(world, false, made.counts), &made.range));
+	scree_status status = saved_step_write(world, function, &save->host);
+	if (status == SCREE_OK)
+		status = world_note(world, saved_pools_copy(world, false, made.range, made.counts, made.leaves, false));
+	++list->structures[made.structure].uses; // before the old use ends, so that the structure stays
+	give_up(list, save);
+	made.host = save->host;
+	made.made = status == SCREE_OK;
+	if (status != SCREE_OK)
+		--list->structures[made.structure].uses;
+	*save = made;
+	measure(&world->saves);
+	return status;
+}
+
+static scree_status load_all(scree_world* world, const Save* save, HostLoad* host)
+{
+	const SavedStructure* structure = world->saves.list->structures + save->structure;
+	Backend* b = world->backend;
+	TRY(saved_host_reserve(host));
+	TRY(world_note(world, saved_pools_reserve(world, save->counts)));
+	if (!host->same)
+		TRY(world_note(world, saved_pools_reserve(world, structure->counts)));
+	scree_status status = saved_pools_copy(world, false, save->range, save->counts, save->leaves, true);
+	if (status == SCREE_OK && !host->same)
+		status = saved_pools_copy(world, true, structure->range, structure->counts, NULL, true);
+	if (status == SCREE_OK)
+	{
+		saved_host_read(host);
+		world->saves.version = structure->version;
+		pipeline_move(&world->pipeline, b);
+		Counters counters; // this read also stores the counters in the backend, and reports failed copies
+		status = b->f->read(b, POOL_counters, 0, 1, &counters);
+	}
+	if (status != SCREE_OK)
+		world->broken = status;
+	return status;
+}
+
+scree_status world_load(scree_world* world, const char* function, int number)
+{
+	const SaveList* list = world->saves.list;
+	if (!list || !list->saves[number].made)
+		return fail(SCREE_ERROR_INVALID, "%s: the world has no save %d", function, number);
+	TRY(world_upload(world)); // afterwards no edit is pending
+	const Save* save = list->saves + number;
+	const SavedStructure* structure = list->structures + save->structure;
+	HostLoad host = {.function = function,
+	                 .world = world,
+	                 .structure = &structure->host,
+	                 .step = &save->host,
+	                 .same = structure->version == world->saves.version};
+	scree_status status = load_all(world, save, &host);
+	saved_host_close(&host);
+	return status;
+}
+
+void world_discard(scree_world* world, int number)
+{
+	SaveList* list = world->saves.list;
+	if (!list)
+		return;
+	Save* save = list->saves + number;
+	give_up(list, save);
+	scree_release(save->host.bytes);
+	*save = (Save){0};
+	for (int k = 0; k < STRUCTURES; ++k)
+		if (list->structures[k].uses == 0)
+		{
+			scree_release(list->structures[k].host.bytes);
+			list->structures[k] = (SavedStructure){0};
+		}
+	measure(&world->saves);
+}
+
+void saves_close(scree_world* world)
+{
+	for (int k = 0; k < SAVES; ++k)
+		world_discard(world, k);
+	scree_release(world->saves.list);
+}

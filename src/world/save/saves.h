@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// saves.h -- keeps saves of a world in the memory of its device, to which it goes back many times a second.
+#ifndef SAVES_H
+#define SAVES_H
+#include "scree/scree.h"
+
+scree_status world_save(scree_world* world, const char* function, int number);
+scree_status world_load(scree_world* world, const char* function, int number);
+void world_discard(scree_world* world, int number);
+void saves_close(scree_world* world);
+
+#endif

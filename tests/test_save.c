@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// test_save.c -- checks that a world that is loaded from a save goes on with the same bits.
+//
+// Formula: snapshot(loaded) = snapshot(saved), and hash(loaded, step) = hash(not loaded, step). Random programs also save
+// and load between any two calls (tests/programs/run_snapshot.c).
+#include "support/make_joints.h"
+#include "support/second_device.h"
+#include "support/small_scenes.h"
+#include "support/snapshots.h"
+
+#define FRAMES 8 // steps that are saved, and steps after them
+
+// Loads each of FRAMES saves, the latest first, and checks that the world goes on as before.
+static void rolls_back_on(const Scenario* scenario, const char* device, int threads)
+{
+	scree_world_def def = scenario->def;
+	uint64_t hashes[2 * FRAMES];
+	def.device = device;
+	def.threads = threads;
+	scree_world* world;
+	OK(scree_world_create(&def, &world));
+	scenario->build(world, scenario->context);
+	for (int step = 0; step < scenario->steps / 2; ++step)
+	{
+		if (scenario->act)
+			scenario->act(world, step, scenario->context);
+		OK(scree_world_step(world, scenario->dt, scenario->substeps));
+	}
+	Saved before = save(world);
+	for (int step = 0; step < 2 * FRAMES; ++step)
+	{
+		if (step < FRAMES)
+			OK(scree_world_save(world, step));
+		OK(scree_world_step(world, scenario->dt, scenario->substeps));
+		hashes[step] = hash_of(world);
+	}
+	for (int frame = FRAMES - 1; frame >= 0; --frame)
+	{
+		OK(scree_world_load(world, frame));
+		for (int step = frame; step < 2 * FRAMES; ++step)
+		{
+			OK(scree_world_step(world, scenario->dt, scenario->substeps));
+			if (hash_of(world) != hashes[step])
+				fail_msg("%s on %s: step %d after save %d differs", scenario->name, device, step, frame);
+		}
+	}
+	OK(scree_world_load(world, 0));
+	Saved after = save(world);
+	assert_int_equal(after.size, before.size);
+	assert_memory_equal(after.bytes, before.bytes, before.size);
+	free(before.bytes);
+	free(after.bytes);
+	scree_world_destroy(world);
+}
+
+static void rolls_back(const Scenario* scenario)
+{
+	rolls_back_on(scenario, "cpu", 2);
+	if (second_device[0])
+		rolls_back_on(scenario, second_device, 0);
+}
+
+static void scenes_roll_back(void** state)
+{
+	(void)state;
+	for_every_scene(rolls_back);
+	assert_int_equal(scree_memory(), 0);
+}
+
+// Objects that were created or destroyed after a save are as they were, and handles too.
+static void structure_comes_back(void** state)
+{
+	(void)state;
+	for (int device = 0; device < 2 && (device == 0 || second_device[0]); ++device)
+	{
+		scree_world* world = open_world_on(device ? second_device : "cpu", 2, -10.0f);
+		scree_attribute_def attribute_def = scree_attribute_def_default();
+		scree_body_def body_def = scree_body_def_default();
+		scree_body bodies[40], more;
+		OK(scree_shape_make_box(0.5f, 0.5f, &attribute_def.shape));
+		OK(scree_attribute_create(world, &attribute_def, &body_def.attribute));
+		for (int k = 0; k < 40; ++k)
+		{
+			body_def.pose.position = (scree_vec){(float)(k % 8), 1.1f * (float)(k / 8)};
+			body_def.type = k < 8 ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC;
+			body_def.user = (uint64_t)k;
+			OK(scree_body_create(world, &body_def, bodies + k));
+		}
+		for (int k = 0; k < 20; ++k)
+			OK(scree_world_step(world, 1.0f / 60.0f, 4));
+		OK(scree_world_save(world, 3));
+		Saved before = save(world);
+		OK(scree_body_set_user(world, bodies[12], 99));
+		OK(scree_body_set_damping(world, bodies[13], 1.0f, 1.0f));
+		OK(scree_bodies_destroy(world, bodies + 20, 10));
+		OK(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.3f, &attribute_def.shape));
+		OK(scree_attribute_create(world, &attribute_def, &body_def.attribute));
+		body_def.pose.position = (scree_vec){3.0f, 9.0f};
+		for (int k = 0; k < 300; ++k)
+			OK(scree_body_create(world, &body_def, &more));
+		for (int k = 0; k < 20; ++k)
+			OK(scree_world_step(world, 1.0f / 60.0f, 4));
+		OK(scree_world_save(world, 4));
+		uint64_t later = hash_of(world), user;
+		for (int turn = 0; turn < 2; ++turn)
+		{
+			OK(scree_world_load(world, 3));
+			Saved after = save(world);
+			assert_int_equal(after.size, before.size);
+			assert_memory_equal(after.bytes, before.bytes, before.size);
+			free(after.bytes);
+			OK(scree_body_get_user(world, bodies[12], &user));
+			assert_int_equal(user, 12);
+			assert_true(scree_body_is_valid(world, bodies[25]));
+			assert_false(scree_body_is_valid(world, more));
+			OK(scree_world_load(world, 4));
+			assert_true(hash_of(world) == later && scree_body_is_valid(world, more));
+			assert_false(scree_body_is_valid(world, bodies[25]));
+			OK(scree_world_move(world, device ^ turn ? "cpu" : second_device[0] ? second_device : "cpu"));
+		}
+		free(before.bytes);
+		scree_world_destroy(world);
+	}
+	assert_int_equal(scree_memory(), 0);
+}
+
+static void refused(scree_status status, const char* sentence)
+{
+	assert_int_equal(status, SCREE_ERROR_INVALID);
+	assert_string_equal(scree_error(), sentence);
+}
+
+static void bad_numbers_are_refused(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	refused(scree_world_save(world, -1), "scree_world_save: save is -1, must be from 0 to 63");
+	refused(scree_world_save(world, SCREE_SAVES), "scree_world_save: save is 64, must be from 0 to 63");
+	refused(scree_world_load(world, 5), "scree_world_load: the world has no save 5");
+	OK(scree_world_save(world, 5));
+	OK(scree_world_load(world, 5));
+	refused(scree_world_load(world, 64), "scree_world_load: save is 64, must be from 0 to 63");
+	OK(scree_world_discard(world, 5));
+	OK(scree_world_discard(world, 5));
+	refused(scree_world_load(world, 5), "scree_world_load: the world has no save 5");
+	refused(scree_world_save(NULL, 0), "scree_world_save: world is null");
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(scenes_roll_back),
+	    cmocka_unit_test(structure_comes_back),
+	    cmocka_unit_test(bad_numbers_are_refused),
+	};
+	return cmocka_run_group_tests(tests, find_second_device, NULL);
+}
