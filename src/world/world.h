@@ -308,8 +308,8 @@ struct scree_world
 	AutoDevice auto_device;
 	ChunkWriter snapshot; // the last snapshot
 	Saves saves;
-	char device[160];     // name of the present device
-	void* scratch;        // temporary memory for one call; see world_scratch
+	char device[160]; // name of the present device
+	void* scratch;    // temporary memory for one call; see world_scratch
 	size_t scratch_bytes;
 };
 

@@ -33,9 +33,8 @@ scree_status run_load(const CallRun* r)
 		return SCREE_OK;
 	// saves and snapshots by turns
 	r->names->rolls = !r->names->rolls;
-	scree_status status = r->names->rolls
-	                          ? scree_world_load(r->world, 0)
-	                          : scree_world_restore(r->world, r->names->saved, r->names->saved_size);
+	scree_status status = r->names->rolls ? scree_world_load(r->world, 0)
+	                                      : scree_world_restore(r->world, r->names->saved, r->names->saved_size);
 	if (status == SCREE_OK)
 	{
 		r->names->open = r->names->saved_open;

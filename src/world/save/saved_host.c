@@ -68,9 +68,9 @@ static void take_arrays(const uint8_t** at, scree_world* world, ArrayPart wanted
                         const ArrayCount counts[HOST_ARRAY_COUNT])
 {
 	int k = 0;
-#define ARRAY(part, table, array, capacity, count, kept)                  \
-	if (part == wanted)                                                   \
-		take(at, array, sizeof *(array) * (size_t)counts[k].items);       \
+#define ARRAY(part, table, array, capacity, count, kept)            \
+	if (part == wanted)                                             \
+		take(at, array, sizeof *(array) * (size_t)counts[k].items); \
 	++k;
 	HOST_ARRAYS(ARRAY)
 #undef ARRAY
@@ -204,11 +204,14 @@ scree_status saved_host_reserve(HostLoad* load)
 {
 	scree_world* world = load->world;
 	const char* function = load->function;
-	ArrayCount counts[HOST_ARRAY_COUNT];
-	count_arrays(world_then(load), counts);
+	ArrayCount then[HOST_ARRAY_COUNT], now[HOST_ARRAY_COUNT];
+	if (!load->same)
+		TRY(reserve_structure(load)); // first, because arrays have an item for each slot
+	count_arrays(world_then(load), then);
+	count_arrays(world, now);
 	int k = 0;
-#define ARRAY(part, table, array, capacity, count, kept)     \
-	TRY(GROW(function, array, capacity, counts[k].room));    \
+#define ARRAY(part, table, array, capacity, count, kept)                                           \
+	TRY(GROW(function, array, capacity, then[k].room > now[k].room ? then[k].room : now[k].room)); \
 	++k;
 	HOST_ARRAYS(ARRAY)
 #undef ARRAY
@@ -217,9 +220,8 @@ scree_status saved_host_reserve(HostLoad* load)
 	         world_then(load)->reports.departed_capacity));
 	for (k = departed; k < world->reports.departed_capacity; ++k)
 		world->reports.departed[k].step = -1;
-	TRY(GROW(function, world->edits.joints, world->edits.joint_capacity, world_then(load)->joints.capacity));
-	TRY(tree_reserve(&world->pipeline, world_then(load)->collidables.used));
-	return load->same ? SCREE_OK : reserve_structure(load);
+	TRY(GROW(function, world->edits.joints, world->edits.joint_capacity, world->joints.capacity));
+	return tree_reserve(&world->pipeline, world_then(load)->collidables.used);
 }
 
 static void read_slots(Slots* slots, int first, const uint8_t** at)
@@ -233,7 +235,8 @@ static void read_slots(Slots* slots, int first, const uint8_t** at)
 	for (int level = 0; level < SLOT_LEVELS; ++level)
 	{
 		words = (words + 63) / 64;
-		memset(slots->free[level], 0, words * sizeof *slots->free[level]);
+		if (words > 0)
+			memset(slots->free[level], 0, words * sizeof *slots->free[level]);
 	}
 	slots->free_count = slots->alive = 0;
 	slots_restore(slots, first, used);
@@ -249,7 +252,10 @@ static void read_structure(HostLoad* load, const ArrayCount counts[HOST_ARRAY_CO
 	load->table = NULL;
 	for (int k = 0; k < world->paths.used; ++k)
 		if (slots_in_use(&world->paths, k))
+		{
 			scree_release(world->host_paths[k].samples);
+			world->host_paths[k].samples = NULL;
+		}
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		read_slots(slots_at(world, k), slots_of[k].first, &at);
 	for (int k = 0; k < load->paths; ++k)
@@ -322,6 +328,7 @@ void saved_host_read(HostLoad* load)
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		slots[k] = *slots_at(world, k);
 	int departed = world->reports.departed_capacity;
+	bool fields = world->fields.acting > 0;
 	if (!load->same)
 		read_structure(load, counts);
 	for (int k = 0; k < SLOT_KINDS && !load->same; ++k)
@@ -343,13 +350,14 @@ void saved_host_read(HostLoad* load)
 		host->target = saved.target;
 		host->still = saved.still;
 	}
-	memset(world->pipeline.member, 0, (size_t)world->pipeline.member_capacity);
+	if (world->pipeline.member)
+		memset(world->pipeline.member, 0, (size_t)world->pipeline.member_capacity);
 	take(&at, world->pipeline.member, (size_t)member_count(then));
 	for (int t = 0; t < 2; ++t)
 		read_tree(world->pipeline.trees + t, then->pipeline.trees + t, &at);
 	world->reports.fetched = true;
 	world->chains_stale = true;
-	world->fields.stale |= !load->same && world->fields.slots.used > 0;
+	world->fields.stale |= !load->same && (fields || world->fields.slots.used > 0);
 	world->sensors.stale = true;
 	idle_forget(world);
 }

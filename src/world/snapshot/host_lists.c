@@ -172,10 +172,10 @@ scree_status host_read(const ChunkIndex* index, scree_world* world)
 	TRY(check_counts(index, world));
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		TRY(read_slots(index, world, k));
-#define ARRAY(part, table, array, capacity, count, kept)     \
-	TRY(check_count(index, #count, count, INT32_MAX)); \
-	TRY(columns_check(index, table, count));           \
-	TRY(GROW(function, array, capacity, kept));        \
+#define ARRAY(part, table, array, capacity, count, kept) \
+	TRY(check_count(index, #count, count, INT32_MAX));   \
+	TRY(columns_check(index, table, count));             \
+	TRY(GROW(function, array, capacity, kept));          \
 	columns_read(index, table, array, sizeof *(array), count);
 	HOST_ARRAYS(ARRAY)
 #undef ARRAY
