@@ -3,6 +3,7 @@
 //
 // Formula: snapshot(loaded) = snapshot(saved), and hash(loaded, step) = hash(not loaded, step). Random programs also save
 // and load between any two calls (tests/programs/run_snapshot.c).
+#include "support/allocations.h"
 #include "support/make_joints.h"
 #include "support/second_device.h"
 #include "support/small_scenes.h"
@@ -147,12 +148,57 @@ static void bad_numbers_are_refused(void** state)
 	scree_world_destroy(world);
 }
 
+// Lack of memory changes nothing, whenever it occurs.
+static void memory_runs_out(void** state)
+{
+	(void)state;
+	count_allocations();
+	scree_world* world = open_world(-10.0f);
+	scree_attribute_def attribute_def = scree_attribute_def_default();
+	scree_body_def body_def = scree_body_def_default();
+	scree_body body;
+	OK(scree_shape_make_box(0.5f, 0.5f, &attribute_def.shape));
+	OK(scree_attribute_create(world, &attribute_def, &body_def.attribute));
+	Saved small = save(world);
+	uint64_t first = hash_of(world);
+	for (int k = 0; k < 400; ++k)
+		OK(scree_body_create(world, &body_def, &body));
+	OK(scree_world_step(world, STEP, SUBSTEPS));
+	OK(scree_world_step(world, STEP, SUBSTEPS));
+	uint64_t before = hash_of(world);
+	int failures = 0;
+	for (scree_status status = SCREE_ERROR_OUT_OF_MEMORY; status != SCREE_OK; ++failures)
+	{
+		allocations_left = failures;
+		status = scree_world_save(world, 1);
+		allocations_left = -1;
+		assert_true(status == SCREE_OK || status == SCREE_ERROR_OUT_OF_MEMORY);
+		assert_true(hash_of(world) == before);
+	}
+	assert_true(failures > 2);
+	OK(scree_world_restore(world, small.bytes, small.size)); // in smaller arrays, which the load enlarges
+	failures = 0;
+	for (scree_status status = SCREE_ERROR_OUT_OF_MEMORY; status != SCREE_OK; ++failures)
+	{
+		allocations_left = failures;
+		status = scree_world_load(world, 1);
+		allocations_left = -1;
+		assert_true(status == SCREE_OK || status == SCREE_ERROR_OUT_OF_MEMORY);
+		assert_true(hash_of(world) == (status == SCREE_OK ? before : first));
+	}
+	assert_true(failures > 4);
+	free(small.bytes);
+	scree_world_destroy(world);
+	assert_int_equal(scree_memory(), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(scenes_roll_back),
 	    cmocka_unit_test(structure_comes_back),
 	    cmocka_unit_test(bad_numbers_are_refused),
+	    cmocka_unit_test(memory_runs_out),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }
