@@ -2,6 +2,7 @@
 // columns.c -- writes and reads arrays of structs as columns.
 #include "world/snapshot/columns.h"
 #include "platform/error.h"
+#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -121,12 +122,32 @@ scree_status snapshot_refuse(const ChunkIndex* index, const char* format, ...)
 	return fail(SCREE_ERROR_INVALID, "%s: the snapshot is refused: %s", index->function, sentence);
 }
 
-static scree_status check_truths(const ChunkIndex* index, const Chunk* chunk)
+// Returns whether a value is one that a column of this kind may have.
+static bool is_allowed(ColumnKind kind, const uint8_t* value)
+{
+	int count;
+	int64_t step;
+	switch (kind)
+	{
+	case COLUMN_TRUTH:
+		return *value <= 1;
+	case COLUMN_COUNT:
+	case COLUMN_COUNTER:
+		memcpy(&count, value, sizeof count);
+		return (count >= 0 && count <= COUNT_MOST) || (kind == COLUMN_COUNTER && count == INT_MAX);
+	case COLUMN_STEP:
+		memcpy(&step, value, sizeof step);
+		return step >= -1 && step <= STEP_MOST;
+	default:
+		return true;
+	}
+}
+
+static scree_status check_values(const ChunkIndex* index, const Column* column, const Chunk* chunk)
 {
 	for (int k = 0; k < (chunk->equal ? smaller(chunk->count, 1) : chunk->count); ++k)
-		if (chunk->first[k] > 1)
-			return snapshot_refuse(index, "value %d of chunk %.*s is %d, must be 0 or 1", k, chunk->name_length,
-			                       chunk->name, chunk->first[k]);
+		if (!is_allowed(column->kind, chunk->first + (size_t)k * (size_t)column->bytes))
+			return snapshot_refuse(index, "value %d of chunk %.*s is out of range", k, chunk->name_length, chunk->name);
 	return SCREE_OK;
 }
 
@@ -144,8 +165,8 @@ scree_status columns_check(const ChunkIndex* index, const ColumnTable* table, in
 			                       chunk->bytes, all, column->bytes);
 		if (column->kind == COLUMN_EACH && all > 0 && (!chunk || chunk->equal))
 			return snapshot_refuse(index, "chunk %s does not store its %d values", name, all);
-		if (chunk && column->kind == COLUMN_TRUTH)
-			TRY(check_truths(index, chunk));
+		if (chunk)
+			TRY(check_values(index, column, chunk));
 	}
 	return SCREE_OK;
 }

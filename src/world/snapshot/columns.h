@@ -8,11 +8,18 @@
 
 typedef enum
 {
-	COLUMN_ZERO,  // values are 0 if the chunk is missing
-	COLUMN_NONE,  // an index, -1 if the chunk is missing
-	COLUMN_TRUTH, // a bool
-	COLUMN_EACH,  // all values are stored, also if they are equal, so that a small file cannot demand much memory
+	COLUMN_ZERO,    // values are 0 if the chunk is missing
+	COLUMN_NONE,    // an index, -1 if the chunk is missing
+	COLUMN_TRUTH,   // a bool
+	COLUMN_COUNT,   // an int from 0 to COUNT_MOST
+	COLUMN_COUNTER, // a counter of the device: as COLUMN_COUNT, or INT_MAX
+	COLUMN_STEP,    // a number of steps in 64 bits, from -1 to STEP_MOST
+	COLUMN_EACH,    // all values are stored, also if they are equal, so that a small file cannot demand much memory
 } ColumnKind;
+
+// Limits far above any count. The library adds small numbers to counts, and subtracts them from each other.
+#define COUNT_MOST (1 << 30)
+#define STEP_MOST  ((int64_t)1 << 62)
 
 typedef struct // a member of a struct
 {
@@ -22,19 +29,20 @@ typedef struct // a member of a struct
 	int count; // number of values: above 1 for an array in a struct of which there is only one
 } Column;
 
-// A column of a member; bools are found by their type.
+// A column of a member; bools and 64-bit numbers of steps are found by their type. COLUMN_COUNTS: ints are of another kind.
 // clang-format off
 #define COLUMN_AS(kind, type, member, value, count) \
 	{#member, kind, (int)offsetof(type, member), (int)sizeof(value), count}
 #define MEMBER_OF(type, member) (((type*)0)->member)
-#define COLUMN(type, member)                                                              \
-	COLUMN_AS(_Generic(MEMBER_OF(type, member), bool: COLUMN_TRUTH, default: COLUMN_ZERO), \
-	          type, member, MEMBER_OF(type, member), 1)
+#define COLUMN_COUNTS(type, member, kind)                                                                     \
+	COLUMN_AS(_Generic(MEMBER_OF(type, member), bool: COLUMN_TRUTH, int64_t: COLUMN_STEP, int: kind, default: \
+	                   COLUMN_ZERO), type, member, MEMBER_OF(type, member), 1)
+#define COLUMN(type, member) COLUMN_COUNTS(type, member, COLUMN_ZERO)
 // clang-format on
 #define COLUMN_INDEX(type, member) COLUMN_AS(COLUMN_NONE, type, member, MEMBER_OF(type, member), 1)
 #define COLUMN_ALL(type, member)   COLUMN_AS(COLUMN_EACH, type, member, MEMBER_OF(type, member), 1)
-#define COLUMN_ARRAY(type, member, value) \
-	COLUMN_AS(COLUMN_ZERO, type, member, value, (int)(sizeof MEMBER_OF(type, member) / sizeof(value)))
+#define COLUMN_ARRAY(type, member) \
+	COLUMN_AS(COLUMN_COUNT, type, member, int, (int)(sizeof MEMBER_OF(type, member) / sizeof(int)))
 
 typedef struct // columns of a struct
 {

@@ -135,10 +135,13 @@ static scree_status check_joints(const ChunkIndex* index, const scree_world* wor
 			continue;
 		const scree_joint_def* def = &host->def;
 		CHECK_ITEM((unsigned)def->type < JOINT_TYPES, "joint", k);
-		CHECK_ITEM((unsigned)def->sides[0].measure <= SCREE_MEASURE_DISTANCE, "joint", k);
-		CHECK_ITEM((unsigned)def->sides[1].measure <= SCREE_MEASURE_DISTANCE, "joint", k);
 		for (int side = 0; side < 2; ++side)
+		{
+			// the user may have set any sides for a joint that couples nothing
+			CHECK_ITEM(!joint_couples(def->type) || (unsigned)def->sides[side].measure <= SCREE_MEASURE_DISTANCE,
+			           "joint", k);
 			CHECK_ITEM(is_body(world, host->bodies[side], true), "joint", k);
+		}
 		CHECK_ITEM(host->bodies[0] != host->bodies[1], "joint", k);
 		CHECK_ITEM(host->path == -1 || alive(&world->paths, host->path), "joint", k);
 		CHECK_ITEM((host->path >= 0) == (def->type == SCREE_JOINT_PATH), "joint", k);

@@ -8,6 +8,9 @@
 #include "world/snapshot/host_columns.h"
 #include "world/world.h"
 #include <stdio.h>
+#include <string.h>
+
+#define SAMPLE_ROWS "samples.used" // name of a chunk
 
 const SlotsOf slots_of[SLOT_KINDS] = {
     {"slots.body", offsetof(scree_world, bodies), 1},
@@ -41,9 +44,32 @@ static const Column material_columns[] = {WORDS4(0)};
 static const Column sample_columns[] = {WORDS4(0), WORDS4(16)};
 _Static_assert(sizeof(ContactReport) == 96 && sizeof(MaterialPair) == 16 && sizeof(PathSample) == 32, "columns");
 
+// Writes which rows of the pool of samples are in use, a byte for each, so that the pool is not larger than the file allows.
+static void write_sample_rows(ChunkWriter* writer, const scree_world* world)
+{
+	int rows = world->edits.sample_rows;
+	uint8_t* used = rows > 0 ? chunk_add(writer, SAMPLE_ROWS, 1, rows, rows) : NULL;
+	if (!used)
+		return;
+	memset(used, 0, (size_t)rows);
+	for (int k = 0; k < world->paths.used; ++k)
+		if (slots_in_use(&world->paths, k))
+			memset(used + world->host_paths[k].first, 1, (size_t)world->host_paths[k].segments + 1);
+}
+
+static scree_status check_sample_rows(const ChunkIndex* index, const scree_world* world)
+{
+	const Chunk* chunk = chunk_find(index, SAMPLE_ROWS);
+	int rows = world->edits.sample_rows;
+	if (rows == 0 || (chunk && chunk->bytes == 1 && chunk->count == rows && !chunk->equal))
+		return SCREE_OK;
+	return snapshot_refuse(index, "chunk %s does not store its %d values", SAMPLE_ROWS, rows);
+}
+
 static void write_samples(ChunkWriter* writer, scree_world* world)
 {
 	char prefix[CHUNK_NAME];
+	write_sample_rows(writer, world);
 	for (int k = 0; k < world->paths.used; ++k)
 		if (slots_in_use(&world->paths, k))
 		{
@@ -170,6 +196,7 @@ scree_status host_read(const ChunkIndex* index, scree_world* world)
 	TRY(read_struct(index, HOST_PIPELINE, &world->pipeline));
 	TRY(read_struct(index, HOST_COUNTERS, &world->pipeline.counters));
 	TRY(check_counts(index, world));
+	TRY(check_sample_rows(index, world));
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		TRY(read_slots(index, world, k));
 #define ARRAY(part, table, array, capacity, count, kept) \

@@ -6,6 +6,8 @@
 #include "world/device/lasting.h"
 #include "world/objects/collidables.h"
 #include "world/objects/joints.h"
+#include "world/pool_values.h"
+#include "world/snapshot/color_check.h"
 #include "world/world.h"
 #include <float.h>
 #include <math.h>
@@ -77,6 +79,7 @@ static scree_status check_collidables(const ChunkIndex* index, const scree_world
 		CHECK_ITEM(in_range(ITEMS(int, collidable_attribute)[k], 0, rows), "collidable_attribute", k);
 		CHECK_ITEM(!there || ITEMS(int, collidable_attribute)[k] == host->attribute, "collidable_attribute", k);
 		CHECK_ITEM(there ? next == host->next + 1 : in_range(next, 0, used + 1), "next_collidable", k);
+		CHECK_ITEM(!there || ITEMS(Filter, filter)[k].reports == (Word)report_bits(host), "filter", k);
 		CHECK_ITEM(!there || is_turn(ITEMS(Float4, collidable_pose)[k].z, ITEMS(Float4, collidable_pose)[k].w),
 		           "collidable_pose", k);
 		CHECK_ITEM(in_range(ITEMS(WorldShape, world_shape)[k].attribute, 0, rows), "world_shape", k);
@@ -87,17 +90,17 @@ static scree_status check_collidables(const ChunkIndex* index, const scree_world
 
 static scree_status check_bodies(const ChunkIndex* index, const scree_world* world, void* const* pools)
 {
-	int used = world->bodies.used;
-	for (int k = 0; k < used; ++k)
+	int used = world->bodies.used, items = lasting_items(world, PER_BODY);
+	for (int k = 0; k < items; ++k) // kernels also process the padding behind the bodies
 	{
 		const ContinuousBody* c = ITEMS(ContinuousBody, continuous_body) + k;
-		bool there = k > 0 && slots_in_use(&world->bodies, k);
+		bool there = k > 0 && k < used && slots_in_use(&world->bodies, k);
 		CHECK_ITEM(c->first == 0 || (there && c->first == world->host_bodies[k].first_collidable + 1),
 		           "continuous_body", k);
 		CHECK_ITEM(!there || is_turn(ITEMS(Float4, pose)[k].z, ITEMS(Float4, pose)[k].w), "pose", k);
 		CHECK_ITEM(in_range(c->parts, 0, CONTINUOUS_PARTS + 1), "continuous_body", k);
 		CHECK_ITEM(in_range(ITEMS(int, sleep)[k] & SLEEP_ISLAND, 0, used + 1), "sleep", k);
-		CHECK_ITEM(ITEMS(int, sleep)[k] >= 0, "sleep", k);
+		CHECK_ITEM(there ? ITEMS(int, sleep)[k] >= 0 : ITEMS(int, sleep)[k] == 0, "sleep", k);
 		CHECK_ITEM(in_range(ITEMS(int, hub)[k], 0, used), "hub", k);
 	}
 	return SCREE_OK;
@@ -108,17 +111,23 @@ static scree_status check_contacts(const ChunkIndex* index, const scree_world* w
 	// flags of contacts that are listed, in worlds that have no memory for these lists
 	const Pipeline* pipeline = &world->pipeline;
 	Word unused = (pipeline->reports ? 0 : CONTACT_REPORTS | CONTACT_TOUCHED) |
-	              (pipeline->asks ? 0 : CONTACT_APPROVALS) | (pipeline->platforms ? 0 : CONTACT_PASSES | CONTACT_SUNK);
-	int used = world->collidables.used;
-	for (int k = 0; k < world->pipeline.counters.contacts; ++k)
+	              (pipeline->asks && pipeline->reports ? 0 : CONTACT_APPROVALS) |
+	              (pipeline->platforms ? 0 : CONTACT_PASSES | CONTACT_SUNK);
+	const Counters* counters = &pipeline->counters;
+	int used = world->collidables.used, alive = 0;
+	for (int k = 0; k < counters->contacts; ++k)
 	{
 		Int2 pair = ITEMS(Int2, pair)[k], bodies = ITEMS(Int2, contact_bodies)[k];
 		bool there = pair.x >= 0;
-		CHECK_ITEM(there ? in_range(pair.x, 0, used) && in_range(pair.y, 0, used) : pair.x == -1, "pair", k);
+		CHECK_ITEM(there ? in_range(pair.x, 0, used) && in_range(pair.y, 0, used) : pair.x == -1 && pair.y == -1,
+		           "pair", k);
+		CHECK_ITEM(there || (ITEMS(int, contact_color)[k] == COLOR_NONE && ITEMS(int, contact_place)[k] == -1),
+		           "contact_place", k);
 		CHECK_ITEM(in_range(bodies.x, 0, world->bodies.used) && in_range(bodies.y, 0, world->bodies.used),
 		           "contact_bodies", k);
+		alive += there;
 		Word flags = ITEMS(Word, contact_flags)[k];
-		CHECK_ITEM((flags & CONTACT_COUNT) <= 2 && !(flags & unused), "contact_flags", k);
+		CHECK_ITEM((flags & CONTACT_COUNT) <= 2 && !(flags & unused) && (there || flags == 0), "contact_flags", k);
 		for (int p = 0; p < 2; ++p)
 		{
 			int feature = p ? ITEMS(Int2, contact_feature)[k].y : ITEMS(Int2, contact_feature)[k].x;
@@ -126,6 +135,7 @@ static scree_status check_contacts(const ChunkIndex* index, const scree_world* w
 			           "contact_feature", k);
 		}
 	}
+	CHECK_ITEM(counters->alive - counters->released == alive, "contacts", alive);
 	return SCREE_OK;
 }
 
@@ -248,5 +258,6 @@ scree_status pool_check(const ChunkIndex* index, const scree_world* world, void*
 	TRY(check_bodies(index, world, pools));
 	TRY(check_contacts(index, world, pools));
 	TRY(check_joints(index, world, pools));
-	return check_layouts(index, world, pools);
+	TRY(check_layouts(index, world, pools));
+	return color_check(index, world, pools);
 }

@@ -80,7 +80,8 @@ bool pool_columns(PoolId pool, PoolColumns* columns)
 		}
 	table->columns = columns->columns;
 	table->count = columns_of_words((int)pool_info[pool].bytes, columns->columns);
-	if (pool == POOL_pair || pool == POOL_contact_place_slot || pool == POOL_joint_place_slot)
+	if (pool == POOL_pair || pool == POOL_contact_place_slot || pool == POOL_joint_place_slot || pool == POOL_joined ||
+	    pool == POOL_excluded || pool == POOL_joint_flags)
 		columns->columns[0].kind = COLUMN_EACH;
 	return true;
 }
