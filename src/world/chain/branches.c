@@ -23,6 +23,10 @@
 #define MOST_NODES  1024
 #define MOST_WELDED 64 // maximum number of bodies that weight_of adds up per joint; each hub has its own sums
 
+// maximum number of joints that weight_of visits per joint; without it, the time for two bodies with n joints between them
+// grows with the square of n
+#define MOST_VISITED 256
+
 typedef struct
 {
 	ChainSearch* s;
@@ -49,7 +53,7 @@ static bool welded(const HostJoint* host) { return host->def.coordinates[SCREE_A
 static float weight_of(const scree_world* world, int joint, int hub)
 {
 	const HostJoint* host = world->host_joints + joint;
-	int side = host->bodies[0] != hub, count = 1, bodies[MOST_WELDED], from[MOST_WELDED];
+	int side = host->bodies[0] != hub, count = 1, visited = 0, bodies[MOST_WELDED], from[MOST_WELDED];
 	const scree_pose* frames[2] = {&host->def.frame_a, &host->def.frame_b};
 	const scree_mass *own = &world->host_bodies[hub].mass, *end = &world->host_bodies[host->bodies[!side]].mass;
 	float arm = distance(frames[side]->position, own->center), sum = 0.0f, inertia = 0.0f, reach[MOST_WELDED];
@@ -61,7 +65,8 @@ static float weight_of(const scree_world* world, int joint, int hub)
 		const HostBody* body = world->host_bodies + bodies[k];
 		sum += body->mass.mass;
 		inertia += body->mass.inertia + body->mass.mass * reach[k] * reach[k];
-		for (int next = body->first_joint; next > 0 && count < MOST_WELDED; next = joint_next(world, next))
+		for (int next = body->first_joint; next > 0 && count < MOST_WELDED && visited < MOST_VISITED;
+		     next = joint_next(world, next), ++visited)
 		{
 			int other = joint_of_end(next), there = chain_other_body(world, other, bodies[k]);
 			const HostJoint* more = world->host_joints + other;
@@ -84,12 +89,22 @@ static float weight_of(const scree_world* world, int joint, int hub)
 	return sum / own->mass + (own->inertia > 0.0f ? inertia / own->inertia : 0.0f);
 }
 
+static int joints_of(const scree_world* world, int body)
+{
+	int count = 0;
+	for (int end = world->host_bodies[body].first_joint; end > 0; end = joint_next(world, end))
+		count += chain_acts(world, joint_of_end(end));
+	return count;
+}
+
 // Returns whether a body has at least HUB_JOINTS joints, and is light compared with the bodies at their other ends.
 static bool light(const scree_world* world, int body)
 {
 	const HostBody* hub = world->host_bodies + body;
 	float weight = 0.0f;
 	int count = 0;
+	if (joints_of(world, body) < HUB_JOINTS) // the end of a joint to a body with thousands of others
+		return false;
 	if (hub->type != SCREE_BODY_DYNAMIC || hub->disabled || !(hub->mass.mass > 0.0f))
 		return false;
 	for (int end = hub->first_joint; end > 0; end = joint_next(world, end))
@@ -99,16 +114,10 @@ static bool light(const scree_world* world, int body)
 			continue;
 		++count;
 		weight += chain_moves(world, other) ? weight_of(world, joint, body) : 0.0f;
+		if (count >= HUB_JOINTS && weight >= HUB_WEIGHT)
+			return true;
 	}
-	return count >= HUB_JOINTS && weight >= HUB_WEIGHT;
-}
-
-static int joints_of(const scree_world* world, int body)
-{
-	int count = 0;
-	for (int end = world->host_bodies[body].first_joint; end > 0; end = joint_next(world, end))
-		count += chain_acts(world, joint_of_end(end));
-	return count;
+	return false;
 }
 
 static int put(Branching* b, int count, int body, int through, int above)

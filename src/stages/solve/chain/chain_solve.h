@@ -45,12 +45,12 @@ INLINE void chain_near(const GLOBAL float (*member)[MAX_LANES], int count, Chain
 	for (int k = 0; k < count && near.here < 0; ++k)
 		out[k] = splat(0.0f);
 	for (int k = 0; k < count && near.here >= 0; ++k)
-		out[k] = load(member[k] + near.here, 0);
+		out[k] = load((const GLOBAL float*)(member + k) + near.here, 0);
 	if (near.shift == 0)
 		return;
 	for (int k = 0; k < count; ++k)
 	{
-		Real next = near.next < 0 ? splat(0.0f) : load(member[k] + near.next, 0);
+		Real next = near.next < 0 ? splat(0.0f) : load((const GLOBAL float*)(member + k) + near.next, 0);
 		out[k] = near.shift > 0 ? following(out[k], next) : preceding(next, out[k]);
 	}
 }
