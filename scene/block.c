@@ -21,6 +21,8 @@ bool block_read_name(Reader* reader, const Location* location, const json_t* val
 	if (!reader_string(reader, location, value, &name))
 		return false;
 	*block = block_find(scene, name);
+	if (!reader_work(reader, location, 1 + scene->block_count))
+		return false;
 	return *block >= 0 || reader_fail(reader, location, "\"%.60s\" is not the name of bodies", name);
 }
 
@@ -41,6 +43,8 @@ static bool read_name(Reader* reader, const Location* location, const json_t* va
 		return false;
 	if (strlen(text) >= NAME_SIZE)
 		return reader_fail(reader, location, "a name has 1 to %d characters", NAME_SIZE - 1);
+	if (!reader_work(reader, location, 1 + scene->block_count))
+		return false;
 	if (block_find(scene, text) >= 0)
 		return reader_fail(reader, location, "\"%s\" is the name of bodies above", text);
 	strcpy(name, text);

@@ -43,6 +43,9 @@ bool items_value(const Items* items, const Number* number, double* value)
 		*value = number->constant;
 		return true;
 	}
+	items->reader->work += expression_operations(number->code);
+	if (items->reader->work > reader_most_work)
+		return items_fail(items, number->path, "too many operations up to here");
 	const char* fault = expression_evaluate(number->code, &items->item, value);
 	char must[80], text[200];
 	if (fault)
@@ -86,6 +89,7 @@ static bool run_loops(Run* run, int depth)
 	items->depth = depth;
 	if (depth == items->loops->count)
 	{
+		++items->reader->work;
 		items->item.number = (uint64_t)run->count++;
 		return !run->each || run->each(items, run->context);
 	}
@@ -102,13 +106,15 @@ static bool run_loops(Run* run, int depth)
 		if (run->count > run->room)
 			return reader_fail(items->reader, run->location, "%.9g or more items; the %s has room for %.9g",
 			                   (double)run->count, run->owner, (double)run->room);
-		return true;
+		return reader_work(items->reader, run->location, end > first ? (int64_t)(end - first) : 1);
 	}
 	for (double index = first; index < end; ++index)
 	{
 		if (!run->each && ++run->rounds > MAX_ROUNDS)
 			return reader_fail(items->reader, run->location, "more than %d rounds of nested ranges", MAX_ROUNDS);
 		items->indices[depth] = index;
+		if (!run->each && !reader_work(items->reader, run->location, 1))
+			return false;
 		if (!run_loops(run, depth + 1))
 			return false;
 	}

@@ -39,7 +39,8 @@ static bool build_batch(void* context, const void* items)
 		build->status = scree_bodies_create(build->world, batch->bodies, batch->count, handles);
 		for (int k = 0; k < parts; ++k)
 			batch->parts[k].body = handles[k / block->parts.count];
-		build->next += build->next ? batch->count : 0;
+		if (build->next)
+			build->next += batch->count;
 	}
 	if (build->status == SCREE_OK && parts > 0)
 		build->status = scree_collidables_create(build->world, batch->parts, parts, NULL);

@@ -236,6 +236,13 @@ Expression* expression_compile(const char* text, const Scope* scope, uint32_t* s
 	return p.expression;
 }
 
+int expression_operations(const Expression* expression) { return expression->count; }
+
+size_t expression_bytes(const Expression* expression)
+{
+	return sizeof *expression + (size_t)expression->count * sizeof *expression->code;
+}
+
 bool expression_is_constant(const Expression* expression, double* value)
 {
 	bool constant = expression->count == 1 && expression->code[0].op == OP_CONSTANT;

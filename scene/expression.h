@@ -32,6 +32,10 @@ typedef struct Expression Expression;
 // so that each call gives different numbers. The caller frees the expression with free().
 Expression* expression_compile(const char* text, const Scope* scope, uint32_t* sites, char* error, size_t error_size);
 
+// Returns the number of operations, and the size in memory.
+int expression_operations(const Expression* expression);
+size_t expression_bytes(const Expression* expression);
+
 // Returns true if the value is the same for all items; then *value is set to it.
 bool expression_is_constant(const Expression* expression, double* value);
 

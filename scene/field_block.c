@@ -67,6 +67,8 @@ static bool read_region(Entry* e, const json_t* value)
 	if (!reader_string(e->reader, at, json_object_get(value, "attribute"), &name))
 		return false;
 	int found = attributes_find(e->scene, name);
+	if (!reader_work(e->reader, e->location, 1 + e->scene->attribute_count))
+		return false;
 	if (found < 0)
 		return reader_fail(e->reader, at, "\"%.60s\" is not among the attributes", name);
 	e->def.shape = e->scene->attributes[found].def.shape;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // heading.c -- reads the title and the parameters of a scene file without loading the scene.
 #include "scene/heading.h"
+#include "scene/clean_text.h"
 #include "scene/reader.h"
 #include <stdio.h>
 #include <string.h>
@@ -22,9 +23,13 @@ bool scene_heading(const char* path, char* title, size_t title_size, char* param
 {
 	json_t* root = reader_load(path, sentence);
 	if (!root)
+	{
+		clean_text(sentence);
 		return false;
+	}
 	const char* text = json_string_value(json_object_get(root, "title"));
 	snprintf(title, title_size, "%s", text ? text : "");
+	clean_text(title);
 	parameters[0] = 0;
 	json_t* entry;
 	json_object_foreach(json_object_get(root, "parameters"), text, entry)
@@ -38,6 +43,7 @@ bool scene_heading(const char* path, char* title, size_t title_size, char* param
 		else
 			snprintf(parameters + length, parameters_size - length, "%.9g", json_number_value(value));
 	}
+	clean_text(parameters);
 	json_decref(root);
 	return true;
 }
@@ -58,7 +64,10 @@ bool scene_parameter_help(const char* path, const char* name, char* help, size_t
 {
 	json_t* root = reader_load(path, sentence);
 	if (!root)
+	{
+		clean_text(sentence);
 		return false;
+	}
 	const json_t* entry = json_object_get(json_object_get(root, "parameters"), name);
 	const char* text = json_string_value(json_object_get(entry, "description"));
 	char least[32], most[32];
@@ -66,6 +75,7 @@ bool scene_parameter_help(const char* path, const char* name, char* help, size_t
 	write_bound(json_object_get(entry, "max"), "any", most);
 	snprintf(help, size, "%s%s%s to %s%s", text ? text : "", text ? ": " : "", least, most,
 	         json_is_true(json_object_get(entry, "integer")) ? ", whole numbers" : "");
+	clean_text(help);
 	json_decref(root);
 	return true;
 }

@@ -58,6 +58,8 @@ bool joint_end_read(Reader* reader, const Location* location, const json_t* valu
 	    !reader_string(reader, KEY(location, "body"), json_object_get(value, "body"), &name))
 		return false;
 	end->block = block_find(scene, name);
+	if (!reader_work(reader, location, 1 + scene->block_count))
+		return false;
 	if (end->block < 0)
 		return reader_fail(reader, KEY(location, "body"), "\"%.60s\" is not the name of an entry of bodies", name);
 	const Block* bodies = &scene->blocks[end->block];
@@ -166,6 +168,8 @@ static bool read_on(Reader* reader, const Location* location, const json_t* valu
 	if (!reader_string(reader, KEY(location, "path"), json_object_get(value, "path"), &name))
 		return false;
 	block->on = paths_find(scene, name);
+	if (!reader_work(reader, location, 1 + scene->path_count))
+		return false;
 	if (block->on < 0)
 		return reader_fail(reader, KEY(location, "path"), "\"%.60s\" is not among the paths", name);
 	return true;

@@ -5,6 +5,7 @@
 #include "scene/attribute_block.h"
 #include "scene/block_items.h"
 #include "scene/character.h"
+#include "scene/clean_text.h"
 #include "scene/controls.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
@@ -16,6 +17,9 @@
 #include "scene/path_block.h"
 #include <stdlib.h>
 #include <string.h>
+
+// m: least size of a box of a picture. At a larger scale, the line of a shape has more pixels than Cairo draws in minutes.
+#define LEAST_VIEW 0.00999f
 
 static bool read_world(Reader* reader, const json_t* root, Scene* scene)
 {
@@ -46,6 +50,8 @@ static bool read_box(Reader* reader, const json_t* root, const char* key, bool* 
 		return reader_fail_value(reader, location, list, "is empty: left and bottom must be less than right and top");
 	box->lower = (scree_vec){(float)side[0], (float)side[1]};
 	box->upper = (scree_vec){(float)side[2], (float)side[3]};
+	if (box->upper.x - box->lower.x < LEAST_VIEW || box->upper.y - box->lower.y < LEAST_VIEW)
+		return reader_fail_value(reader, location, list, "is narrower or lower than 0.01 m");
 	return true;
 }
 
@@ -68,6 +74,8 @@ static bool read_heading(Reader* reader, const json_t* root, Scene* scene)
 		return false;
 	snprintf(scene->name, sizeof scene->name, "%s", name);
 	snprintf(scene->title, sizeof scene->title, "%s", title);
+	clean_text(scene->name);
+	clean_text(scene->title);
 	return true;
 }
 
@@ -197,7 +205,10 @@ Scene* scene_load(const char* path, const SceneSetting* settings, int count, cha
 	FLOAT_MODE_HERE;
 	json_t* root = reader_load(path, sentence);
 	if (!root)
+	{
+		clean_text(sentence);
 		return NULL;
+	}
 	Scene* scene = calloc(1, sizeof(Scene));
 	Reader* reader = calloc(1, sizeof(Reader));
 	bool good = scene && reader;
@@ -216,6 +227,7 @@ Scene* scene_load(const char* path, const SceneSetting* settings, int count, cha
 	}
 	else
 	{
+		clean_text(sentence);
 		scene_free(scene);
 		scene = NULL;
 	}

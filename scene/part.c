@@ -13,6 +13,8 @@ static bool read_attribute_name(Reader* reader, const Location* location, const 
 	if (!reader_string(reader, location, value, &name))
 		return false;
 	*found = attributes_find(scene, name);
+	if (!reader_work(reader, location, 1 + scene->attribute_count))
+		return false;
 	return *found >= 0 || reader_fail(reader, location, "\"%.60s\" is not among the attributes", name);
 }
 
@@ -28,6 +30,8 @@ static bool read_choice(Reader* reader, const Location* location, const json_t* 
 	choice->count = list ? (int)json_array_size(value) : 1;
 	if (choice->count == 0)
 		return reader_fail(reader, at, "an empty list");
+	if (!reader_claim(reader, at, (size_t)choice->count * sizeof(int)))
+		return false;
 	choice->attributes = calloc((size_t)choice->count, sizeof(int));
 	if (!choice->attributes)
 		return reader_fail(reader, at, "out of memory");
@@ -94,6 +98,8 @@ static bool read_part_entry(Reader* reader, const Location* location, const json
 			return reader_fail(reader, at, "must give the same 0 to %d collidables to each body", MAX_PARTS);
 		count = (int)span;
 	}
+	if (!reader_claim(reader, location, (size_t)count * sizeof(Part)))
+		return false;
 	Part* part = add_parts(parts, count);
 	if (!part)
 		return reader_fail(reader, location, "out of memory");

@@ -11,11 +11,14 @@
 
 #define SHOWN 48 // maximum number of characters of an invalid value in an error message
 
+int64_t reader_most_work = READER_WORK;
+
 typedef struct // file that Jansson reads
 {
 	FILE* file;
-	bool begun; // true after the first part
-	int fault;  // errno of a failure; 0: none
+	bool begun;   // true after the first part
+	int fault;    // errno of a failure; 0: none
+	int64_t size; // bytes so far
 } Source;
 
 // Reads the next part of a file, without the byte order mark that some editors write at the start of a text.
@@ -25,6 +28,9 @@ static size_t read_part(void* buffer, size_t size, void* context)
 	size_t count = fread(buffer, 1, size, source->file);
 	if (ferror(source->file))
 		source->fault = errno;
+	source->size += (int64_t)count;
+	if (source->size > READER_BYTES)
+		return (size_t)-1;
 	if (!source->begun && count >= 3 && memcmp(buffer, "\xef\xbb\xbf", 3) == 0)
 		memmove(buffer, (char*)buffer + 3, count -= 3);
 	source->begun = true;
@@ -43,14 +49,16 @@ json_t* reader_load(const char* path, char* sentence)
 	}
 	else
 		source.fault = errno;
-	if (root && source.fault == 0)
+	if (root && source.fault == 0 && source.size <= READER_BYTES)
 		return root;
 	json_decref(root);
 	// one message of Jansson ends with the name of a flag of its C function
 	char* flag = strstr(error.text, " without JSON_");
 	if (flag)
 		*flag = 0;
-	if (source.fault != 0)
+	if (source.size > READER_BYTES)
+		snprintf(sentence, SENTENCE_SIZE, "%.200s: has more than %lld bytes", path, (long long)READER_BYTES);
+	else if (source.fault != 0)
 		snprintf(sentence, SENTENCE_SIZE, "%.200s: %.200s", path,
 		         source.fault == EISDIR ? "is a folder" : strerror(source.fault));
 	else if (error.line > 0)
@@ -101,6 +109,21 @@ bool reader_fail_value(Reader* reader, const Location* location, const json_t* v
 	return false;
 }
 
+bool reader_work(Reader* reader, const Location* location, int64_t operations)
+{
+	reader->work += operations;
+	return reader->work <= reader_most_work ||
+	       reader_fail(reader, location, "more than %lld operations up to here", (long long)reader_most_work);
+}
+
+bool reader_claim(Reader* reader, const Location* location, size_t bytes)
+{
+	reader->claimed += bytes;
+	return reader->claimed <= READER_CLAIM ||
+	       reader_fail(reader, location, "collidables and expressions need more than %zu bytes up to here",
+	                   READER_CLAIM);
+}
+
 const char* range_fault(Range range, double value, char* text, size_t size)
 {
 	if (range.floored)
@@ -141,6 +164,8 @@ bool reader_number(Reader* reader, const Location* location, const json_t* value
 		return reader_fail_value(reader, location, value, "must be a number, or a string with an expression");
 
 	const char* expression = json_string_value(value);
+	if (!reader_work(reader, location, (int64_t)strlen(expression)))
+		return false;
 	Expression* code = expression_compile(expression, &reader->scope, &reader->sites, text, sizeof text);
 	if (!code)
 		return reader_fail(reader, location, "\"%.60s\": %s", expression, text);
@@ -171,7 +196,9 @@ bool reader_number(Reader* reader, const Location* location, const json_t* value
 	number->code = code;
 	number->text = strdup(expression);
 	number->path = strdup(text);
-	return number->text && number->path ? true : reader_fail(reader, location, "out of memory");
+	if (!number->text || !number->path)
+		return reader_fail(reader, location, "out of memory");
+	return reader_claim(reader, location, expression_bytes(code) + strlen(expression) + strlen(text));
 }
 
 bool reader_member(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,

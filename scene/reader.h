@@ -16,7 +16,17 @@ typedef struct // state of reading one file
 	uint64_t seed;
 	uint32_t sites; // number of random() calls so far
 	bool redraws;   // true: random() varies even without a loop index, for numbers of churn
+	// work and memory so far, for which a short file may give a large factor; see reader_work and reader_claim
+	int64_t work;
+	size_t claimed; // bytes
 } Reader;
+
+#define READER_BYTES ((int64_t)64 << 20)    // maximum size of a file; Jansson needs up to 100 times as much memory
+#define READER_WORK  ((int64_t)10000000000) // maximum of Reader.work; evaluating needs 1 to 5 ns for each
+#define READER_CLAIM ((size_t)256 << 20)    // maximum of Reader.claimed
+
+// Maximum of Reader.work of the files that are loaded from now on; READER_WORK at first. Fuzz targets lower it.
+extern int64_t reader_most_work;
 
 // Location of a value in the file, linked to the location of its parent. Example: attributes . crate . polygon [2].
 typedef struct Location
@@ -62,6 +72,12 @@ bool reader_fail(Reader* reader, const Location* location, const char* format, .
 
 // Writes an error message with the value, shortened, and with the text `must` ("must be ..."). Returns false.
 bool reader_fail_value(Reader* reader, const Location* location, const json_t* value, const char* must);
+
+// Counts operations: items, rounds of loops, instructions of expressions, names that are compared. Fails if a file needs
+// more than reader_most_work of them.
+bool reader_work(Reader* reader, const Location* location, int64_t operations);
+// Counts bytes of the collidables of blocks and of expressions, which a repeat may multiply. Fails at READER_CLAIM.
+bool reader_claim(Reader* reader, const Location* location, size_t bytes);
 
 // Returns null if a value is inside a range; otherwise the reason, "must be ...", which may lie in `text`.
 const char* range_fault(Range range, double value, char* text, size_t size);
