@@ -1,6 +1,6 @@
 # Makefile -- short commands for users. Each target installs the Debian packages that it lacks, then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip gallery web test test-full test-platforms bench build packages lists format check release clean
+.PHONY: help run view clip gallery web test test-full test-platforms fuzz bench build packages lists format check release clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -69,6 +69,10 @@ test-full: packages ## run all tests, also with clang, sanitizers, one lane, Web
 
 test-platforms: ## build for other processors and for Windows, and compare hashes in emulators (ROW=...)
 	@tests/platforms.sh $(ROW)
+
+fuzz: ## search for inputs that crash the library or the reader of scenes, with libFuzzer (SECONDS=60)
+	@tools/packages.sh $(build_packages) clang libclang-rt-dev
+	@tests/fuzz/fuzz.sh --seconds $(or $(SECONDS),60)
 
 bench: build ## measure on the CPU, and on the GPU if there is one, for some minutes, into bench/results/NAME (NAME=local)
 	@tools/packages.sh gnuplot-nox

@@ -165,6 +165,37 @@ static void put_world(Maker* m)
 	put(m, call);
 }
 
+// Makes a program, except its first call.
+static void make_calls(Maker* m, int calls)
+{
+	m->moves = chance(m, 0.01);
+	m->jointed = chance(m, 0.7);
+	m->railed = m->jointed && chance(m, 0.5);
+	m->reports = chance(m, 0.5);
+	m->asks = chance(m, 0.5);
+	m->senses = chance(m, 0.35);
+	m->rules = chance(m, 0.4);
+	m->extreme = PICK(m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
+	m->fields = chance(m, 0.4);
+	m->sleeps = chance(m, 0.5);
+	m->saves = chance(m, 0.25);
+	if (m->sleeps && call_value(&m->program->calls[0], "sleep") == 0.0f)
+		put_tuning(m);
+	for (int k = 3 + below(m, 4); k > 0; --k)
+		put_attribute(m);
+	if (chance(m, 0.85))
+		put_floor(m);
+	if (chance(m, 0.04))
+		put_hub(m);
+	else
+		for (int k = below(m, 4); k > 0; --k)
+			put_bodies(m, 2 + below(m, 24));
+	while (m->program->count < calls && (!m->bytes || m->left > 0))
+		put_any(m);
+	put_step(m);
+	put_step(m);
+}
+
 void program_make(Program* program, uint64_t seed, int calls)
 {
 	Maker m = {.program = program, .seed = seed / PROGRAM_BLOCK};
@@ -173,30 +204,13 @@ void program_make(Program* program, uint64_t seed, int calls)
 	put_world(&m);
 	m.seed = seed ^ 0x5851f42d4c957f2du;
 	random_word(&m.seed);
-	m.moves = chance(&m, 0.01);
-	m.jointed = chance(&m, 0.7);
-	m.railed = m.jointed && chance(&m, 0.5);
-	m.reports = chance(&m, 0.5);
-	m.asks = chance(&m, 0.5);
-	m.senses = chance(&m, 0.35);
-	m.rules = chance(&m, 0.4);
-	m.extreme = PICK(&m, 0.0f, 0.0f, 0.01f, 0.03f, 0.1f, 0.4f);
-	m.fields = chance(&m, 0.4);
-	m.sleeps = chance(&m, 0.5);
-	m.saves = chance(&m, 0.25);
-	if (m.sleeps && call_value(&program->calls[0], "sleep") == 0.0f)
-		put_tuning(&m);
-	for (int k = 3 + below(&m, 4); k > 0; --k)
-		put_attribute(&m);
-	if (chance(&m, 0.85))
-		put_floor(&m);
-	if (chance(&m, 0.04))
-		put_hub(&m);
-	else
-		for (int k = below(&m, 4); k > 0; --k)
-			put_bodies(&m, 2 + below(&m, 24));
-	while (program->count < calls)
-		put_any(&m);
-	put_step(&m);
-	put_step(&m);
+	make_calls(&m, calls);
+}
+
+void program_make_from(Program* program, const uint8_t* bytes, size_t size, int calls)
+{
+	Maker m = {.program = program, .bytes = bytes, .left = size};
+	program->count = 0;
+	put_world(&m);
+	make_calls(&m, calls);
 }

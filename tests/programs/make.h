@@ -30,19 +30,38 @@ typedef struct
 	bool sleeps;   // bodies may sleep
 	bool saves;    // snapshots are taken and restored
 	bool rules;    // has one-way platforms, materials, excluded pairs and contact approval
+	// bytes of a fuzzer, which replace the random numbers; null: random numbers. After the last byte, all are 0.
+	const uint8_t* bytes;
+	size_t left;
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------
 // numbers
 // ---------------------------------------------------------------------------------------------------------------
 
-static inline int below(Maker* m, int count) { return random_below(&m->seed, count); }
-static inline bool chance(Maker* m, double share) { return random_real(&m->seed, 0.0, 1.0) < share; }
+// Returns a number from the next bytes of the fuzzer, at most 4.
+static inline uint32_t take(Maker* m, int count)
+{
+	uint32_t word = 0;
+	for (; count > 0 && m->left > 0; --count, --m->left)
+		word = word << 8 | *m->bytes++;
+	return word;
+}
+
+static inline int below(Maker* m, int count)
+{
+	return m->bytes ? (int)(take(m, count > 256 ? 2 : 1) % (uint32_t)count) : random_below(&m->seed, count);
+}
+
+static inline bool chance(Maker* m, double share)
+{
+	return (m->bytes ? take(m, 1) / 256.0 : random_real(&m->seed, 0.0, 1.0)) < share;
+}
 
 // Returns a number from low to high. Half of the numbers are multiples of 1/8: short as text, and often equal.
 static inline float between(Maker* m, float low, float high)
 {
-	float x = random_between(&m->seed, low, high);
+	float x = m->bytes ? low + (high - low) * (float)take(m, 2) / 65536.0f : random_between(&m->seed, low, high);
 	return chance(m, 0.5) ? floorf(x * 8.0f) / 8.0f : x;
 }
 
@@ -90,7 +109,16 @@ static inline float factor(Maker* m, float most)
 
 static inline float angle(Maker* m) { return PICK(m, 0.0f, 0.0f, between(m, -3.2f, 3.2f), 0.785398163f, 1.57079633f); }
 
-static inline void put(Maker* m, Call call) { program_add(m->program, call); }
+// defined in make_wild.c: replaces an argument of a call by a wild value, or puts a call that forges a handle, if bytes of a
+// fuzzer request it
+void make_wild(Maker* m, Call* call);
+
+static inline void put(Maker* m, Call call)
+{
+	if (m->bytes)
+		make_wild(m, &call);
+	program_add(m->program, call);
+}
 
 // Returns a number for a body; sometimes no body has this number.
 static inline float any_body(Maker* m) { return (float)below(m, m->bodies + 1); }

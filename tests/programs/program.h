@@ -59,6 +59,9 @@ bool program_read(Program* program, FILE* file, char error[256]); // reads the t
 // make.c: makes a program with a number of calls. Programs of a block of PROGRAM_BLOCK seeds begin with the same world.
 #define PROGRAM_BLOCK 64
 void program_make(Program* program, uint64_t seed, int calls);
+// Makes a program from the bytes of a fuzzer, also with wild values and forged handles, until it has that many calls or the
+// bytes end.
+void program_make_from(Program* program, const uint8_t* bytes, size_t size, int calls);
 
 typedef struct // first device of a world, and device to which the call "move" moves it; empty: no such device
 {

@@ -234,6 +234,32 @@ static scree_status run_clear(const CallRun* r)
 	return status;
 }
 
+static scree_status run_forge(const CallRun* r)
+{
+	struct Names* names = r->names;
+	int number = call_whole(r, "number");
+	uint32_t index = (uint32_t)call_whole(r, "index"), generation = (uint32_t)call_whole(r, "generation");
+	if (number < 0 || number >= MOST_NAMES)
+		return SCREE_OK;
+	switch (call_whole(r, "type"))
+	{
+#define FORGE(type, objects)                             \
+	case type:                                           \
+		names->objects[number].index += index;           \
+		names->objects[number].generation += generation; \
+		break;
+		FORGE(0, bodies)
+		FORGE(1, collidables)
+		FORGE(2, attributes)
+		FORGE(3, joints)
+		FORGE(4, paths)
+		FORGE(5, fields)
+	default:
+		break;
+	}
+	return SCREE_OK;
+}
+
 static scree_status run_move(const CallRun* r)
 {
 	if (!r->place->other[0])
@@ -318,6 +344,8 @@ scree_status run_call(const CallRun* r)
 		return run_save(r);
 	case CALL_load:
 		return run_load(r);
+	case CALL_forge:
+		return run_forge(r);
 	case CALL_clear:
 		return run_clear(r);
 	case CALL_world:

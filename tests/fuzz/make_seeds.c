@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// make_seeds.c -- writes snapshots of worlds that programs of calls have made, as seeds of fuzz_snapshot.
+#include "programs/run_call.h"
+#include <stdlib.h>
+#include <string.h>
+
+#define CALLS 40 // number of calls of a random program
+
+static void stop(const char* what, const char* reason)
+{
+	fprintf(stderr, "make_seeds: %s: %s\n", what, reason);
+	exit(1);
+}
+
+// Runs a program, and writes a snapshot of its world to a file.
+static void write_seed(const Program* program, const char* path)
+{
+	static struct Names names;
+	static const Place place = {.device = "cpu", .threads = 1, .lanes = 1};
+	scree_world* world;
+	const void* bytes;
+	size_t size;
+	if (run_world(&place, &program->calls[0], &world) != SCREE_OK)
+		stop(path, scree_error());
+	for (int k = 1; k < program->count; ++k)
+	{
+		Left left = {0};
+		run_call(&(CallRun){&program->calls[k], world, &names, &place, "cpu", &left});
+	}
+	if (scree_world_snapshot(world, &bytes, &size) != SCREE_OK)
+		stop(path, scree_error());
+	FILE* file = fopen(path, "wb");
+	if (!file || fwrite(bytes, 1, size, file) != size || fclose(file) != 0)
+		stop(path, "cannot be written");
+	printf("%s: %zu bytes\n", path, size);
+	scree_world_destroy(world);
+	names_clear(&names);
+}
+
+static void read_program(Program* program, const char* path)
+{
+	char error[256] = "cannot be opened";
+	FILE* file = fopen(path, "r");
+	if (!file || !program_read(program, file, error))
+		stop(path, error);
+	fclose(file);
+}
+
+int main(int count, char** arguments)
+{
+	Program program = {0};
+	if (count < 3)
+	{
+		fprintf(stderr, "usage: make_seeds FOLDER (SEED | FILE)...\n"
+		                "Writes a snapshot for each random program, by its seed, and for each program in a file.\n");
+		return 2;
+	}
+	pair_hide_log();
+	for (int k = 2; k < count; ++k)
+	{
+		char path[1024], *end;
+		uint64_t seed = strtoull(arguments[k], &end, 10);
+		const char* slash = strrchr(arguments[k], '/');
+		if (*end)
+			read_program(&program, arguments[k]);
+		else
+			program_make(&program, seed, CALLS);
+		snprintf(path, sizeof path, "%s/%s.bin", arguments[1], slash ? slash + 1 : arguments[k]);
+		write_seed(&program, path);
+	}
+	program_close(&program);
+	return 0;
+}
