@@ -76,10 +76,11 @@ scree_status cpu_clear(Backend* b, PoolId pool, int first, int count)
 scree_status cpu_keep(Backend* b, PoolId pool, int first, int count, int at, bool back)
 {
 	size_t bytes = pool_info[pool].bytes;
+	if (count == 0) // the pools may have no memory
+		return SCREE_OK;
 	char* here = pool_memory(b->state, pool) + (size_t)first * bytes;
 	char* there = pool_memory(b->state, POOL_saved) + (size_t)at * pool_info[POOL_saved].bytes;
-	if (count > 0)
-		memcpy(back ? here : there, back ? there : here, (size_t)count * bytes);
+	memcpy(back ? here : there, back ? there : here, (size_t)count * bytes);
 	return SCREE_OK;
 }
 
