@@ -38,6 +38,7 @@ world/device
 world/upload
 world/create world/pool_read world/own_queries
 world/snapshot
+world/save
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover'
 

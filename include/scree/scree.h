@@ -377,8 +377,8 @@ SCREE_API scree_status scree_world_create_from(const scree_world_def* def, const
 SCREE_API scree_status scree_world_clone(scree_world* world, const scree_world_def* def, scree_world** clone);
 
 // Saves, for rollback. A save is a copy of the state of a world in the memory of its device. It is faster than a snapshot,
-// but belongs to its world: it ends with it. A world that moves to another device takes its saves along. Saves are no part
-// of snapshots, and scree_world_restore keeps them.
+// but belongs to its world: it ends with it. A world that moves to another device takes its saves along. A snapshot has no
+// saves, and scree_world_restore keeps those of the world.
 #define SCREE_SAVES 64 // number of saves that a world can have
 
 // Saves a world. save: number of the save, from 0 to SCREE_SAVES - 1; an older save of this number is replaced. Pending

@@ -12,7 +12,7 @@
 #include "world/objects/paths.h"
 #include "world/objects/reports.h"
 #include "world/objects/sensors.h"
-#include "world/save/saves.h"
+#include "world/save_list.h"
 #include "world/world.h"
 #include <stdio.h>
 

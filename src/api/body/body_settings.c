@@ -12,7 +12,7 @@
 #include "world/objects/kinematics.h"
 #include "world/objects/mass.h"
 #include "world/objects/targets.h"
-#include "world/save/structure.h"
+#include "world/structure.h"
 #include "world/upload/whole_sleep.h"
 #include "world/world.h"
 

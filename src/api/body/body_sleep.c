@@ -9,8 +9,8 @@
 #include "world/objects/sleep.h"
 #include "world/own_queries.h"
 #include "world/pool_read.h"
-#include "world/save/structure.h"
 #include "world/shape/geometry.h"
+#include "world/structure.h"
 #include "world/upload/upload.h"
 #include "world/upload/whole_sleep.h"
 

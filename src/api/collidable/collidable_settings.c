@@ -11,7 +11,7 @@
 #include "world/objects/sensors.h"
 #include "world/objects/sleep.h"
 #include "world/pool_values.h"
-#include "world/save/structure.h"
+#include "world/structure.h"
 #include <string.h>
 
 static scree_status lookup(const scree_world* world, const char* function, scree_collidable collidable,

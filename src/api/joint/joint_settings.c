@@ -7,7 +7,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
-#include "world/save/structure.h"
+#include "world/structure.h"
 #include <float.h>
 #include <string.h>
 

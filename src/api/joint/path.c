@@ -6,7 +6,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/path_samples.h"
 #include "world/objects/paths.h"
-#include "world/save/structure.h"
+#include "world/structure.h"
 #include <math.h>
 #include <stdio.h>
 

@@ -4,6 +4,7 @@
 #include "world/check.h"
 #include "world/failure.h"
 #include "world/save/saves.h"
+#include "world/save_list.h"
 
 static scree_status check_number(scree_world* world, const char* function, int save)
 {
@@ -31,6 +32,6 @@ scree_status scree_world_discard(scree_world* world, int save)
 {
 	FLOAT_MODE_HERE;
 	TRY(check_number(world, "scree_world_discard", save));
-	world_discard(world, save);
+	save_discard(world, save);
 	return SCREE_OK;
 }

@@ -4,7 +4,7 @@
 #include "platform/error.h"
 #include "world/memory.h"
 #include "world/pool_values.h"
-#include "world/save/structure.h"
+#include "world/structure.h"
 #include "world/world.h"
 #include <math.h>
 #include <string.h>

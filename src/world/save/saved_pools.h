@@ -4,8 +4,8 @@
 #define SAVED_POOLS_H
 #include "world/world.h"
 
-// Sets the number of items of each pool that a save of the structure, or of the data that steps change, contains. Leaves
-// of trees belong to the latter. Returns the items of the pool `saved` that they take.
+// Sets the number of items of each pool that a save contains: of the structure, or of the data that steps change, which
+// include the leaves of trees. Returns the number of items of the pool `saved` for them.
 int64_t saved_pools_count(const scree_world* world, bool structure, int counts[POOL_COUNT]);
 
 // Copies the items of a range, or back.

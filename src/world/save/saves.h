@@ -4,9 +4,8 @@
 #define SAVES_H
 #include "scree/scree.h"
 
+// Saves a world as save `number`, or loads this save.
 scree_status world_save(scree_world* world, const char* function, int number);
 scree_status world_load(scree_world* world, const char* function, int number);
-void world_discard(scree_world* world, int number);
-void saves_close(scree_world* world);
 
 #endif

@@ -16,7 +16,7 @@
 #include "world/objects/materials.h"
 #include "world/objects/paths.h"
 #include "world/objects/reports.h"
-#include "world/save/structure.h"
+#include "world/structure.h"
 #include "world/upload/edit_order.h"
 #include "world/upload/upload_commands.h"
 #include "world/upload/upload_rows.h"

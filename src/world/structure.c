@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // structure.c -- notes changes of the structure of a world: the data that only calls of the user change, never a step.
-#include "world/save/structure.h"
+#include "world/structure.h"
 #include "world/world.h"
 
 void structure_changed(scree_world* world) { world->saves.version = ++world->saves.last; }
