@@ -39,8 +39,10 @@ world/upload
 world/create world/pool_read world/own_queries
 world/snapshot
 world/save
+world/record
 api/world api/body api/collidable api/joint api/query api/field
-api/contact api/mover'
+api/contact api/mover
+api/record'
 
 # folders beside the library, which are searched only for circles of includes
 beside='cli scene tools validate view'

@@ -88,6 +88,8 @@ typedef enum scree_status
 	SCREE_ERROR_DEVICE_FAILED = 5, // the driver reported an error; the world can only be destroyed
 	SCREE_ERROR_NOT_SUPPORTED = 6, // the device does not support this operation; nothing changed
 	SCREE_ERROR_CONTACT_LIMIT = 7, // a step found more contacts than scree_world_def.contact_limit; nothing changed
+	SCREE_ERROR_FILE = 8,          // a file cannot be opened, read or written
+	SCREE_ERROR_DIFFERENT = 9,     // a replay has another result or another hash than its recording
 } scree_status;
 
 // Returns the message of the last failure on this thread, or an empty string. The library owns the string; it is valid
@@ -375,6 +377,91 @@ SCREE_API scree_status scree_world_create_from(const scree_world_def* def, const
 // Creates a world with the state of another one. def: as in scree_world_create_from, or null for the same device, threads
 // and lanes. Handles of the one are valid in the other.
 SCREE_API scree_status scree_world_clone(scree_world* world, const scree_world_def* def, scree_world** clone);
+
+typedef struct scree_difference // a column of values in which two snapshots differ
+{
+	char column[64];           // "body.values", or "pool.pose+8" for a pool and a byte in its items: docs/snapshots.md
+	char word[32];             // name of the word at this byte: "cos"; empty if it has none
+	int count_a, count_b;      // number of items in each snapshot
+	int items;                 // number of items that differ; those that one snapshot lacks differ
+	int item;                  // first item that differs
+	int offset, bytes;         // the part of its value that differs: position in the value and number of bytes, 1 to 8
+	uint64_t value_a, value_b; // this part in each snapshot, the lowest byte first
+} scree_difference;
+
+// Compares two snapshots: writes up to capacity columns in which they differ, in the order of a snapshot, and sets count to
+// their number. Fails with SCREE_ERROR_INVALID if a snapshot is damaged or of a newer format.
+static inline scree_status scree_snapshots_compare(const void* a, size_t size_a, const void* b, size_t size_b,
+                                                   scree_difference* differences, int capacity, int* count);
+
+// Recordings (docs/recording.md). A recording contains a snapshot, all later calls that change the world, with their
+// arguments and results, and hashes of the world. It is repeated on any device, by this or a later version of the
+// library, and the replay finds the first step that differs.
+
+typedef struct scree_record_def
+{
+	uint32_t size;     // set by scree_record_def_default
+	const char* path;  // file that is written; an existing file is replaced; null (default): the recording is in memory
+	int hash_interval; // steps from one hash to the next, at least 1, default 60; 0: only the last hash is recorded
+} scree_record_def;
+
+// Returns a definition with the default values.
+static inline scree_record_def scree_record_def_default(void);
+
+// Begins to record a world; def may be null for the default. A file is written before each step, so that it contains the
+// calls up to a step in which the program crashes. Calls that fail are not recorded. Recording changes no bit of the
+// world. If memory for a recording runs out later, or its file cannot be written, a warning is logged, the recording ends
+// with the record before, and scree_world_end_recording fails; other calls succeed. Fails with SCREE_ERROR_INVALID if the
+// world is already recorded, with SCREE_ERROR_FILE if the file cannot be opened or written, and with
+// SCREE_ERROR_NOT_SUPPORTED in WebAssembly.
+SCREE_API scree_status scree_world_record(scree_world* world, const scree_record_def* def);
+
+// Ends the recording of a world with the hash of the world, and closes the file. Works also after the device has failed,
+// then without the hash. scree_world_destroy ends a recording too, without the hash. Fails with SCREE_ERROR_INVALID if the
+// world is not recorded. Fails with SCREE_ERROR_OUT_OF_MEMORY or SCREE_ERROR_FILE if a call could not be recorded; the
+// recording then ends before that call.
+SCREE_API scree_status scree_world_end_recording(scree_world* world);
+
+// Returns the recording in memory, up to now or up to its end. *bytes is memory of the world, valid until the next call that
+// changes the world, until the next scree_world_record, and until the world is destroyed; *size is its number of bytes. Fails
+// with SCREE_ERROR_INVALID if the world has no recording in memory.
+SCREE_API scree_status scree_world_get_recording(const scree_world* world, const void** bytes, size_t* size);
+
+typedef struct scree_replay scree_replay; // a recording that is being repeated
+
+typedef struct scree_replay_info
+{
+	int64_t steps;    // number of steps in the recording
+	int64_t step;     // number of steps that the replay has taken
+	int64_t calls;    // number of calls in the recording, steps included
+	int64_t hashes;   // number of hashes in the recording
+	bool ended;       // false: the end of the recording is cut off, damaged or not yet written; it is read up to there
+	size_t read;      // bytes up to the end, or up to the last whole record
+	char version[16]; // version of the library that wrote the recording
+} scree_replay_info;
+
+// Opens a recording, and checks all of its records. The caller owns *replay and closes it with scree_replay_close; on failure
+// *replay is null. The bytes are not copied; they must outlive the replay. The end of a recording may be missing
+// (scree_replay_info.ended). Fails with SCREE_ERROR_INVALID if the beginning is damaged, or if the recording has calls or a
+// format of a later version.
+SCREE_API scree_status scree_replay_open(const void* bytes, size_t size, scree_replay** replay);
+// Closes a replay. replay may be null.
+SCREE_API void scree_replay_close(scree_replay* replay);
+// Returns what a recording contains.
+static inline scree_status scree_replay_get_info(const scree_replay* replay, scree_replay_info* info);
+
+// Creates a world in the state in which the recording began, and begins the replay. def: as in scree_world_create_from. The
+// caller owns *world, which is null on failure. Fails as scree_world_create_from.
+SCREE_API scree_status scree_replay_create_world(scree_replay* replay, const scree_world_def* def, scree_world** world);
+// Restores a world to the state in which the recording began, and begins the replay again. Fails as scree_world_restore.
+SCREE_API scree_status scree_replay_restore(scree_replay* replay, scree_world* world);
+
+// Repeats the calls of a recording up to the next step and its hash. Sets stepped to false if no step was left; the calls
+// after the last step have then been repeated. Fails with SCREE_ERROR_DIFFERENT and the number of the step if a call has
+// other results than in the recording, if a call fails, or if the hash differs; stepped is then true if the recording goes
+// on, and the next call repeats it. world: made by
+// scree_replay_create_world or restored by scree_replay_restore, and not changed by other calls since.
+SCREE_API scree_status scree_replay_step(scree_replay* replay, scree_world* world, bool* stepped);
 
 // Saves, for rollback. A save is a copy of the state of a world in the memory of its device. It is faster than a snapshot,
 // but belongs to its world: it ends with it. A world that moves to another device takes its saves along. A snapshot has no
@@ -2052,6 +2139,29 @@ SCREE_API scree_status scree_devices_get_sized(scree_device* devices, size_t siz
 static inline scree_status scree_devices_get(scree_device* devices, int capacity, int* count)
 {
 	return scree_devices_get_sized(devices, sizeof *devices, capacity, count);
+}
+
+SCREE_API scree_status scree_snapshots_compare_sized(const void* a, size_t size_a, const void* b, size_t size_b,
+                                                     scree_difference* differences, size_t size, int capacity,
+                                                     int* count);
+static inline scree_status scree_snapshots_compare(const void* a, size_t size_a, const void* b, size_t size_b,
+                                                   scree_difference* differences, int capacity, int* count)
+{
+	return scree_snapshots_compare_sized(a, size_a, b, size_b, differences, sizeof *differences, capacity, count);
+}
+
+SCREE_API void scree_record_def_default_sized(scree_record_def* def, size_t size);
+static inline scree_record_def scree_record_def_default(void)
+{
+	scree_record_def def;
+	scree_record_def_default_sized(&def, sizeof def);
+	return def;
+}
+
+SCREE_API scree_status scree_replay_get_info_sized(const scree_replay* replay, scree_replay_info* info, size_t size);
+static inline scree_status scree_replay_get_info(const scree_replay* replay, scree_replay_info* info)
+{
+	return scree_replay_get_info_sized(replay, info, sizeof *info);
 }
 
 SCREE_API scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* counters, size_t size);

@@ -96,6 +96,10 @@ const char* scree_status_name(scree_status status)
 		return "not supported";
 	case SCREE_ERROR_CONTACT_LIMIT:
 		return "contact limit";
+	case SCREE_ERROR_FILE:
+		return "file";
+	case SCREE_ERROR_DIFFERENT:
+		return "different";
 	}
 	return "unknown";
 }

@@ -29,6 +29,8 @@ const DefinitionType material_definition = {sizeof(scree_material_pair), END_OF(
                                             "scree_material_pair_default"};
 const DefinitionType field_definition = {sizeof(scree_field_def), END_OF(scree_field_def, user),
                                          "scree_field_def_default"};
+const DefinitionType record_definition = {sizeof(scree_record_def), END_OF(scree_record_def, hash_interval),
+                                          "scree_record_def_default"};
 
 static uint32_t size_of(const void* def)
 {

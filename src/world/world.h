@@ -221,6 +221,13 @@ typedef struct // a snapshot that is being written (snapshot/chunks.h)
 	size_t used, capacity;
 } ChunkWriter;
 
+typedef struct // recordings of the calls that change a world (record/recorder.h)
+{
+	struct Recorder* first; // recorders in use, linked; null: calls are not recorded
+	struct Recorder* own;   // recorder of scree_world_record, also after its end; null before
+	int depth;              // number of recorded calls in progress: one may make another, which is not recorded
+} Recorders;
+
 #define SAVES SCREE_SAVES
 
 typedef struct // a range of items of the pool `saved`
@@ -307,6 +314,7 @@ struct scree_world
 	size_t shared[SHARED_USES]; // bytes of the memory that is shared for each use; 0 while no memory is shared
 	AutoDevice auto_device;
 	ChunkWriter snapshot; // the last snapshot
+	Recorders recorders;
 	Saves saves;
 	char device[160]; // name of the present device
 	void* scratch;    // temporary memory for one call; see world_scratch

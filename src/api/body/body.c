@@ -15,6 +15,7 @@
 #include "world/objects/mass.h"
 #include "world/objects/sleep.h"
 #include "world/objects/targets.h"
+#include "world/record/api_calls.h"
 #include "world/upload/whole_sleep.h"
 #include "world/world.h"
 
@@ -187,13 +188,13 @@ static scree_status create(scree_world* world, const char* function, const char*
 	return SCREE_OK;
 }
 
-scree_status scree_bodies_create(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies)
+scree_status api_bodies_create(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies)
 {
 	FLOAT_MODE_HERE;
 	return create(world, "scree_bodies_create", "defs", defs, count, bodies, false);
 }
 
-scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body)
+scree_status api_body_create(scree_world* world, const scree_body_def* def, scree_body* body)
 {
 	FLOAT_MODE_HERE;
 	return create(world, "scree_body_create", "def", def, 1, body, true);
@@ -258,13 +259,13 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	return SCREE_OK;
 }
 
-scree_status scree_bodies_destroy(scree_world* world, const scree_body* bodies, int count)
+scree_status api_bodies_destroy(scree_world* world, const scree_body* bodies, int count)
 {
 	FLOAT_MODE_HERE;
 	return destroy(world, "scree_bodies_destroy", "bodies", bodies, count, false);
 }
 
-scree_status scree_body_destroy(scree_world* world, scree_body body)
+scree_status api_body_destroy(scree_world* world, scree_body body)
 {
 	FLOAT_MODE_HERE;
 	return destroy(world, "scree_body_destroy", "body", &body, 1, true);

@@ -5,6 +5,7 @@
 #include "world/failure.h"
 #include "world/objects/handles.h"
 #include "world/objects/mass.h"
+#include "world/record/api_calls.h"
 #include "world/world.h"
 
 // Bounds of masses that the user sets: inverse masses, and their products with squares of lever arms, stay finite.
@@ -37,7 +38,7 @@ static scree_status check_mass(const scree_world* world, ArgumentPlace body, Arg
 	return check_vec(mass, ".center", value.center, SCREE_MAX_COORDINATE);
 }
 
-scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass)
+scree_status api_body_set_mass(scree_world* world, scree_body body, scree_mass mass)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_mass";
@@ -49,7 +50,7 @@ scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass
 	return SCREE_OK;
 }
 
-scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses, int count)
+scree_status api_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses, int count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_bodies_set_masses";

@@ -12,6 +12,7 @@
 #include "world/objects/mass.h"
 #include "world/objects/targets.h"
 #include "world/pool_values.h"
+#include "world/record/api_calls.h"
 #include "world/world.h"
 
 typedef struct // a call of the user: its name, the kind of its command, and the names of its arguments
@@ -128,147 +129,147 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 	return SCREE_OK;
 }
 
-scree_status scree_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count)
+scree_status api_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_apply_forces", COMMAND_FORCE, "forces", NULL, false};
 	return change(world, &call, bodies, &(Values){.vectors = forces}, count);
 }
 
-scree_status scree_bodies_apply_torques(scree_world* world, const scree_body* bodies, const float* torques, int count)
+scree_status api_bodies_apply_torques(scree_world* world, const scree_body* bodies, const float* torques, int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_apply_torques", COMMAND_TORQUE, "torques", NULL, false};
 	return change(world, &call, bodies, &(Values){.numbers = torques}, count);
 }
 
-scree_status scree_bodies_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
-                                         int count)
+scree_status api_bodies_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
+                                       int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_apply_impulses", COMMAND_IMPULSE, "impulses", NULL, false};
 	return change(world, &call, bodies, &(Values){.vectors = impulses}, count);
 }
 
-scree_status scree_bodies_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses,
-                                                 int count)
+scree_status api_bodies_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses,
+                                               int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_apply_angular_impulses", COMMAND_ANGULAR_IMPULSE, "impulses", NULL, false};
 	return change(world, &call, bodies, &(Values){.numbers = impulses}, count);
 }
 
-scree_status scree_bodies_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces,
-                                          const scree_vec* points, int count)
+scree_status api_bodies_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces,
+                                        const scree_vec* points, int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_apply_forces_at", COMMAND_FORCE_AT, "forces", "points", false};
 	return change(world, &call, bodies, &(Values){.vectors = forces, .points = points}, count);
 }
 
-scree_status scree_bodies_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
-                                            const scree_vec* points, int count)
+scree_status api_bodies_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
+                                          const scree_vec* points, int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_apply_impulses_at", COMMAND_IMPULSE_AT, "impulses", "points", false};
 	return change(world, &call, bodies, &(Values){.vectors = impulses, .points = points}, count);
 }
 
-scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies, const scree_velocity* velocities,
-                                         int count)
+scree_status api_bodies_set_velocities(scree_world* world, const scree_body* bodies, const scree_velocity* velocities,
+                                       int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_set_velocities", COMMAND_VELOCITY, "velocities", NULL, false};
 	return change(world, &call, bodies, &(Values){.velocities = velocities}, count);
 }
 
-scree_status scree_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies,
-                                                const scree_vec* velocities, int count)
+scree_status api_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies, const scree_vec* velocities,
+                                              int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_set_linear_velocities", COMMAND_LINEAR_VELOCITY, "velocities", NULL, false};
 	return change(world, &call, bodies, &(Values){.vectors = velocities}, count);
 }
 
-scree_status scree_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies, const float* velocities,
-                                                 int count)
+scree_status api_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies, const float* velocities,
+                                               int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_set_angular_velocities", COMMAND_SPIN, "velocities", NULL, false};
 	return change(world, &call, bodies, &(Values){.numbers = velocities}, count);
 }
 
-scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
+scree_status api_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_bodies_set_poses", COMMAND_POSE, "poses", NULL, false};
 	return change(world, &call, bodies, &(Values){.poses = poses}, count);
 }
 
-scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force)
+scree_status api_body_apply_force(scree_world* world, scree_body body, scree_vec force)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_apply_force", COMMAND_FORCE, "force", NULL, true};
 	return change(world, &call, &body, &(Values){.vectors = &force}, 1);
 }
 
-scree_status scree_body_apply_force_at(scree_world* world, scree_body body, scree_vec force, scree_vec point)
+scree_status api_body_apply_force_at(scree_world* world, scree_body body, scree_vec force, scree_vec point)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_apply_force_at", COMMAND_FORCE_AT, "force", "point", true};
 	return change(world, &call, &body, &(Values){.vectors = &force, .points = &point}, 1);
 }
 
-scree_status scree_body_apply_torque(scree_world* world, scree_body body, float torque)
+scree_status api_body_apply_torque(scree_world* world, scree_body body, float torque)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_apply_torque", COMMAND_TORQUE, "torque", NULL, true};
 	return change(world, &call, &body, &(Values){.numbers = &torque}, 1);
 }
 
-scree_status scree_body_apply_impulse(scree_world* world, scree_body body, scree_vec impulse)
+scree_status api_body_apply_impulse(scree_world* world, scree_body body, scree_vec impulse)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_apply_impulse", COMMAND_IMPULSE, "impulse", NULL, true};
 	return change(world, &call, &body, &(Values){.vectors = &impulse}, 1);
 }
 
-scree_status scree_body_apply_impulse_at(scree_world* world, scree_body body, scree_vec impulse, scree_vec point)
+scree_status api_body_apply_impulse_at(scree_world* world, scree_body body, scree_vec impulse, scree_vec point)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_apply_impulse_at", COMMAND_IMPULSE_AT, "impulse", "point", true};
 	return change(world, &call, &body, &(Values){.vectors = &impulse, .points = &point}, 1);
 }
 
-scree_status scree_body_apply_angular_impulse(scree_world* world, scree_body body, float impulse)
+scree_status api_body_apply_angular_impulse(scree_world* world, scree_body body, float impulse)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_apply_angular_impulse", COMMAND_ANGULAR_IMPULSE, "impulse", NULL, true};
 	return change(world, &call, &body, &(Values){.numbers = &impulse}, 1);
 }
 
-scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity)
+scree_status api_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_set_velocity", COMMAND_VELOCITY, "velocity", NULL, true};
 	return change(world, &call, &body, &(Values){.velocities = &velocity}, 1);
 }
 
-scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity)
+scree_status api_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_set_linear_velocity", COMMAND_LINEAR_VELOCITY, "velocity", NULL, true};
 	return change(world, &call, &body, &(Values){.vectors = &velocity}, 1);
 }
 
-scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity)
+scree_status api_body_set_angular_velocity(scree_world* world, scree_body body, float velocity)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_set_angular_velocity", COMMAND_SPIN, "velocity", NULL, true};
 	return change(world, &call, &body, &(Values){.numbers = &velocity}, 1);
 }
 
-scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose)
+scree_status api_body_set_pose(scree_world* world, scree_body body, scree_pose pose)
 {
 	FLOAT_MODE_HERE;
 	static const Call call = {"scree_body_set_pose", COMMAND_POSE, "pose", NULL, true};

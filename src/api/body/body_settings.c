@@ -12,6 +12,7 @@
 #include "world/objects/kinematics.h"
 #include "world/objects/mass.h"
 #include "world/objects/targets.h"
+#include "world/record/api_calls.h"
 #include "world/structure.h"
 #include "world/upload/whole_sleep.h"
 #include "world/world.h"
@@ -34,7 +35,7 @@ static scree_status lookup_to_set(scree_world* world, const char* function, scre
 	return edits_reserve(world, function, 0, world->host_bodies[*index].collidables, commands);
 }
 
-scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type)
+scree_status api_body_set_type(scree_world* world, scree_body body, scree_body_type type)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_type";
@@ -85,7 +86,7 @@ scree_status scree_body_get_type(const scree_world* world, scree_body body, scre
 	return SCREE_OK;
 }
 
-scree_status scree_body_set_damping(scree_world* world, scree_body body, float linear, float angular)
+scree_status api_body_set_damping(scree_world* world, scree_body body, float linear, float angular)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_damping";
@@ -114,7 +115,7 @@ scree_status scree_body_get_damping(const scree_world* world, scree_body body, f
 	return SCREE_OK;
 }
 
-scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, float scale)
+scree_status api_body_set_gravity_scale(scree_world* world, scree_body body, float scale)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_gravity_scale";
@@ -137,7 +138,7 @@ scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body b
 	return SCREE_OK;
 }
 
-scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t locks)
+scree_status api_body_set_locks(scree_world* world, scree_body body, uint32_t locks)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_locks";
@@ -212,28 +213,30 @@ static scree_status set_enabled(scree_world* world, const char* function, const 
 	TRY(check_batch(function, argument, bodies, count));
 	TRY(check_batch(function, "enabled", enabled, count));
 	int index = 0, collidables = 0, joints = 0;
+	bool fields = false;
 	for (int k = 0; k < count; ++k)
 	{
 		TRY(check_body(world, (ArgumentPlace){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
 		collidables += world->host_bodies[index].collidables;
 		joints += body_joint_count(world, index);
-		if (world->host_bodies[index].fields > 0)
-			TRY(world_set_awake(world, true));
+		fields |= world->host_bodies[index].fields > 0;
 	}
 	TRY(edits_reserve(world, function, 0, collidables, 2 * count + JOINT_COMMANDS * joints));
+	if (fields)
+		TRY(world_set_awake(world, true));
 	TRY(insert_batch(world, bodies, enabled, count));
 	for (int k = 0; k < count; ++k)
 		enable(world, (int)bodies[k].index, enabled[k]);
 	return SCREE_OK;
 }
 
-scree_status scree_bodies_set_enabled(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
+scree_status api_bodies_set_enabled(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
 {
 	FLOAT_MODE_HERE;
 	return set_enabled(world, "scree_bodies_set_enabled", "bodies", bodies, enabled, count, false);
 }
 
-scree_status scree_body_set_enabled(scree_world* world, scree_body body, bool enabled)
+scree_status api_body_set_enabled(scree_world* world, scree_body body, bool enabled)
 {
 	FLOAT_MODE_HERE;
 	return set_enabled(world, "scree_body_set_enabled", "body", &body, &enabled, 1, true);
@@ -244,7 +247,7 @@ bool scree_body_is_enabled(const scree_world* world, scree_body body)
 	return scree_body_is_valid(world, body) && !world->host_bodies[body.index].disabled;
 }
 
-scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user)
+scree_status api_body_set_user(scree_world* world, scree_body body, uint64_t user)
 {
 	FLOAT_MODE_HERE;
 	HostBody* host;

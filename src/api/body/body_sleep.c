@@ -9,6 +9,7 @@
 #include "world/objects/sleep.h"
 #include "world/own_queries.h"
 #include "world/pool_read.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/structure.h"
 #include "world/upload/upload.h"
@@ -39,19 +40,19 @@ static scree_status set_awake(scree_world* world, const char* function, const ch
 	return SCREE_OK;
 }
 
-scree_status scree_bodies_set_awake(scree_world* world, const scree_body* bodies, const bool* awake, int count)
+scree_status api_bodies_set_awake(scree_world* world, const scree_body* bodies, const bool* awake, int count)
 {
 	FLOAT_MODE_HERE;
 	return set_awake(world, "scree_bodies_set_awake", "bodies", bodies, awake, count, false);
 }
 
-scree_status scree_body_set_awake(scree_world* world, scree_body body, bool awake)
+scree_status api_body_set_awake(scree_world* world, scree_body body, bool awake)
 {
 	FLOAT_MODE_HERE;
 	return set_awake(world, "scree_body_set_awake", "body", &body, &awake, 1, true);
 }
 
-scree_status scree_world_set_box_awake(scree_world* world, scree_box box, bool awake)
+scree_status api_world_set_box_awake(scree_world* world, scree_box box, bool awake)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_set_box_awake";
@@ -72,7 +73,7 @@ scree_status scree_world_set_box_awake(scree_world* world, scree_box box, bool a
 	return SCREE_OK;
 }
 
-scree_status scree_world_set_awake(scree_world* world, bool awake)
+scree_status api_world_set_awake(scree_world* world, bool awake)
 {
 	FLOAT_MODE_HERE;
 	TRY(world_check(world, "scree_world_set_awake"));
@@ -131,7 +132,7 @@ static void send_threshold(scree_world* world, const HostBody* host)
 	edits_command(world, COMMAND_SLEEP, (int)(host - world->host_bodies), value, SLEEP_AS_BEFORE);
 }
 
-scree_status scree_body_set_sleep_threshold(scree_world* world, scree_body body, float threshold)
+scree_status api_body_set_sleep_threshold(scree_world* world, scree_body body, float threshold)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_sleep_threshold";
@@ -153,7 +154,7 @@ scree_status scree_body_get_sleep_threshold(const scree_world* world, scree_body
 	return SCREE_OK;
 }
 
-scree_status scree_body_set_stays_awake(scree_world* world, scree_body body, bool stays_awake)
+scree_status api_body_set_stays_awake(scree_world* world, scree_body body, bool stays_awake)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_stays_awake";

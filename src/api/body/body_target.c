@@ -4,6 +4,7 @@
 #include "world/failure.h"
 #include "world/objects/handles.h"
 #include "world/objects/targets.h"
+#include "world/record/api_calls.h"
 #include "world/world.h"
 
 static scree_status check_target(const scree_world* world, ArgumentPlace body, ArgumentPlace value, scree_body handle,
@@ -40,13 +41,13 @@ static scree_status set(scree_world* world, const char* function, const char* bo
 	return SCREE_OK;
 }
 
-scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
+scree_status api_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
 {
 	FLOAT_MODE_HERE;
 	return set(world, "scree_bodies_set_targets", "bodies", "poses", bodies, poses, count, false);
 }
 
-scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose)
+scree_status api_body_set_target(scree_world* world, scree_body body, scree_pose pose)
 {
 	FLOAT_MODE_HERE;
 	return set(world, "scree_body_set_target", "body", "pose", &body, &pose, 1, true);

@@ -5,6 +5,7 @@
 #include "world/failure.h"
 #include "world/objects/attributes.h"
 #include "world/objects/handles.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 #include <string.h>
@@ -57,7 +58,7 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 	return SCREE_OK;
 }
 
-scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def, scree_attribute* attribute)
+scree_status api_attribute_create(scree_world* world, const scree_attribute_def* def, scree_attribute* attribute)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_attribute_create";
@@ -89,7 +90,7 @@ scree_status scree_attribute_get_def_sized(const scree_world* world, scree_attri
 	return SCREE_OK;
 }
 
-scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute)
+scree_status api_attribute_destroy(scree_world* world, scree_attribute attribute)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_attribute_destroy";

@@ -8,6 +8,7 @@
 #include "world/objects/collidables.h"
 #include "world/objects/handles.h"
 #include "world/objects/mass.h"
+#include "world/record/api_calls.h"
 
 scree_filter scree_filter_default(void) { return (scree_filter){.category = 1, .mask = UINT64_MAX}; }
 
@@ -75,14 +76,14 @@ static scree_status create(scree_world* world, const char* function, const char*
 	return SCREE_OK;
 }
 
-scree_status scree_collidables_create(scree_world* world, const scree_collidable_def* defs, int count,
-                                      scree_collidable* collidables)
+scree_status api_collidables_create(scree_world* world, const scree_collidable_def* defs, int count,
+                                    scree_collidable* collidables)
 {
 	FLOAT_MODE_HERE;
 	return create(world, "scree_collidables_create", "defs", defs, count, collidables, false);
 }
 
-scree_status scree_collidable_create(scree_world* world, const scree_collidable_def* def, scree_collidable* collidable)
+scree_status api_collidable_create(scree_world* world, const scree_collidable_def* def, scree_collidable* collidable)
 {
 	FLOAT_MODE_HERE;
 	return create(world, "scree_collidable_create", "def", def, 1, collidable, true);
@@ -120,13 +121,13 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	return SCREE_OK;
 }
 
-scree_status scree_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count)
+scree_status api_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count)
 {
 	FLOAT_MODE_HERE;
 	return destroy(world, "scree_collidables_destroy", "collidables", collidables, count, false);
 }
 
-scree_status scree_collidable_destroy(scree_world* world, scree_collidable collidable)
+scree_status api_collidable_destroy(scree_world* world, scree_collidable collidable)
 {
 	FLOAT_MODE_HERE;
 	return destroy(world, "scree_collidable_destroy", "collidable", &collidable, 1, true);

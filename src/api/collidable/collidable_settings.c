@@ -11,6 +11,7 @@
 #include "world/objects/sensors.h"
 #include "world/objects/sleep.h"
 #include "world/pool_values.h"
+#include "world/record/api_calls.h"
 #include "world/structure.h"
 #include <string.h>
 
@@ -50,7 +51,7 @@ static scree_status mark_tree(scree_world* world, int index)
 	return kind == KIND_DEAD ? SCREE_OK : tree_insert(&world->pipeline, tree_of_kind(kind), index);
 }
 
-scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable, scree_attribute attribute)
+scree_status api_collidable_set_attribute(scree_world* world, scree_collidable collidable, scree_attribute attribute)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_set_attribute";
@@ -113,7 +114,7 @@ scree_status scree_collidable_get_user(const scree_world* world, scree_collidabl
 	return SCREE_OK;
 }
 
-scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user)
+scree_status api_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user)
 {
 	FLOAT_MODE_HERE;
 	HostCollidable* host;
@@ -123,7 +124,7 @@ scree_status scree_collidable_set_user(scree_world* world, scree_collidable coll
 	return SCREE_OK;
 }
 
-scree_status scree_collidable_set_filter(scree_world* world, scree_collidable collidable, scree_filter filter)
+scree_status api_collidable_set_filter(scree_world* world, scree_collidable collidable, scree_filter filter)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_set_filter";
@@ -175,7 +176,7 @@ static scree_status set_reports(scree_world* world, const char* function, const 
 	return SCREE_OK;
 }
 
-scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports)
+scree_status api_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_set_reports";
@@ -183,8 +184,8 @@ scree_status scree_collidable_set_reports(scree_world* world, scree_collidable c
 	return set_reports(world, function, "collidable", &collidable, &reports, 1, true);
 }
 
-scree_status scree_collidables_set_reports(scree_world* world, const scree_collidable* collidables,
-                                           const uint32_t* reports, int count)
+scree_status api_collidables_set_reports(scree_world* world, const scree_collidable* collidables,
+                                         const uint32_t* reports, int count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_collidables_set_reports";
@@ -203,7 +204,7 @@ scree_status scree_collidable_get_sensor(const scree_world* world, scree_collida
 	return SCREE_OK;
 }
 
-scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable collidable, uint32_t sensor)
+scree_status api_collidable_set_sensor(scree_world* world, scree_collidable collidable, uint32_t sensor)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_set_sensor";
@@ -225,8 +226,8 @@ scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable co
 	return SCREE_OK;
 }
 
-scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
-                                         const scree_pose* poses, int count)
+scree_status api_collidables_set_poses(scree_world* world, const scree_collidable* collidables, const scree_pose* poses,
+                                       int count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_collidables_set_poses";

@@ -4,6 +4,7 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/materials.h"
+#include "world/record/api_calls.h"
 #include "world/upload/whole_sleep.h"
 #include <math.h>
 
@@ -31,8 +32,8 @@ static scree_status check_part(ArgumentPlace at, const char* member, float value
 	return check_real(at, member, value, low, high);
 }
 
-scree_status scree_world_set_material_pair(scree_world* world, int material_a, int material_b,
-                                           const scree_material_pair* pair)
+scree_status api_world_set_material_pair(scree_world* world, int material_a, int material_b,
+                                         const scree_material_pair* pair)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_set_material_pair";

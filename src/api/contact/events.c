@@ -9,6 +9,7 @@
 #include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/reports.h"
+#include "world/record/api_calls.h"
 #include <stddef.h>
 #include <stdlib.h>
 
@@ -161,7 +162,7 @@ static int compare_pairs(const void* a, const void* b)
 	return first < second ? -1 : first > second;
 }
 
-scree_status scree_world_approve_contacts(scree_world* world, const bool* approved, int count)
+scree_status api_world_approve_contacts(scree_world* world, const bool* approved, int count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_approve_contacts";
@@ -183,7 +184,7 @@ scree_status scree_world_approve_contacts(scree_world* world, const bool* approv
 	return SCREE_OK;
 }
 
-scree_status scree_world_set_hit_thresholds(scree_world* world, float speed, float impulse)
+scree_status api_world_set_hit_thresholds(scree_world* world, float speed, float impulse)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_set_hit_thresholds";

@@ -7,6 +7,7 @@
 #include "world/objects/exclusions.h"
 #include "world/objects/handles.h"
 #include "world/objects/sleep.h"
+#include "world/record/api_calls.h"
 #include <stdlib.h>
 
 static scree_status check_pair(const scree_world* world, const char* function, const char* const arguments[2], int k,
@@ -27,8 +28,8 @@ static void set(scree_world* world, int a, int b, bool excluded)
 	exclusion_set(world, a, b, excluded);
 }
 
-scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, const scree_body* b,
-                                       const bool* excluded, int count)
+scree_status api_bodies_set_excluded(scree_world* world, const scree_body* a, const scree_body* b, const bool* excluded,
+                                     int count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_bodies_set_excluded";
@@ -47,7 +48,7 @@ scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, 
 	return SCREE_OK;
 }
 
-scree_status scree_body_set_excluded(scree_world* world, scree_body body, scree_body other, bool excluded)
+scree_status api_body_set_excluded(scree_world* world, scree_body body, scree_body other, bool excluded)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_set_excluded";

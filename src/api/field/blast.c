@@ -5,6 +5,7 @@
 #include "world/failure.h"
 #include "world/objects/handles.h"
 #include "world/own_queries.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 #include <math.h>
@@ -88,7 +89,7 @@ static scree_status push(scree_world* world, const char* function, const scree_b
 	return SCREE_OK;
 }
 
-scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count)
+scree_status api_world_blast(scree_world* world, const scree_blast_def* def, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_blast";

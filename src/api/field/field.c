@@ -6,6 +6,7 @@
 #include "world/failure.h"
 #include "world/objects/fields.h"
 #include "world/objects/handles.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include <stdio.h>
 
@@ -80,7 +81,7 @@ static scree_status check_def(const scree_world* world, const char* function, co
 	return SCREE_OK;
 }
 
-scree_status scree_field_create(scree_world* world, const scree_field_def* def, scree_field* field)
+scree_status api_field_create(scree_world* world, const scree_field_def* def, scree_field* field)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_field_create";
@@ -105,7 +106,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 	return check_field(world, (ArgumentPlace){function, "field", ALONE}, field, index);
 }
 
-scree_status scree_field_destroy(scree_world* world, scree_field field)
+scree_status api_field_destroy(scree_world* world, scree_field field)
 {
 	FLOAT_MODE_HERE;
 	int index = 0;
@@ -117,7 +118,7 @@ scree_status scree_field_destroy(scree_world* world, scree_field field)
 
 bool scree_field_is_valid(const scree_world* world, scree_field field) { return world && field_is_valid(world, field); }
 
-scree_status scree_field_set_def(scree_world* world, scree_field field, const scree_field_def* def)
+scree_status api_field_set_def(scree_world* world, scree_field field, const scree_field_def* def)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_field_set_def";
@@ -144,7 +145,7 @@ scree_status scree_field_get_def_sized(const scree_world* world, scree_field fie
 	return SCREE_OK;
 }
 
-scree_status scree_field_set_pose(scree_world* world, scree_field field, scree_pose pose)
+scree_status api_field_set_pose(scree_world* world, scree_field field, scree_pose pose)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_field_set_pose";
@@ -157,7 +158,7 @@ scree_status scree_field_set_pose(scree_world* world, scree_field field, scree_p
 	return field_wake(world, index);
 }
 
-scree_status scree_field_set_enabled(scree_world* world, scree_field field, bool enabled)
+scree_status api_field_set_enabled(scree_world* world, scree_field field, bool enabled)
 {
 	FLOAT_MODE_HERE;
 	int index = 0;

@@ -7,6 +7,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
+#include "world/record/api_calls.h"
 #include <stdlib.h>
 
 static scree_status check_end(const scree_world* world, ArgumentPlace at, const char* member, scree_body body,
@@ -66,13 +67,13 @@ static scree_status create(scree_world* world, const char* function, const char*
 	return SCREE_OK;
 }
 
-scree_status scree_joints_create(scree_world* world, const scree_joint_def* defs, int count, scree_joint* joints)
+scree_status api_joints_create(scree_world* world, const scree_joint_def* defs, int count, scree_joint* joints)
 {
 	FLOAT_MODE_HERE;
 	return create(world, "scree_joints_create", "defs", defs, count, joints, false);
 }
 
-scree_status scree_joint_create(scree_world* world, const scree_joint_def* def, scree_joint* joint)
+scree_status api_joint_create(scree_world* world, const scree_joint_def* def, scree_joint* joint)
 {
 	FLOAT_MODE_HERE;
 	return create(world, "scree_joint_create", "def", def, 1, joint, true);
@@ -106,13 +107,13 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	return SCREE_OK;
 }
 
-scree_status scree_joints_destroy(scree_world* world, const scree_joint* joints, int count)
+scree_status api_joints_destroy(scree_world* world, const scree_joint* joints, int count)
 {
 	FLOAT_MODE_HERE;
 	return destroy(world, "scree_joints_destroy", "joints", joints, count, false);
 }
 
-scree_status scree_joint_destroy(scree_world* world, scree_joint joint)
+scree_status api_joint_destroy(scree_world* world, scree_joint joint)
 {
 	FLOAT_MODE_HERE;
 	return destroy(world, "scree_joint_destroy", "joint", &joint, 1, true);

@@ -6,6 +6,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
+#include "world/record/api_calls.h"
 #include <stddef.h>
 #include <string.h>
 
@@ -82,16 +83,16 @@ static scree_status set_coordinate(const Change* change, ArgumentPlace at, const
 	return SCREE_OK;
 }
 
-scree_status scree_joints_set_coordinates(scree_world* world, const scree_joint* joints, scree_coordinate which,
-                                          const scree_joint_coordinate* values, int count)
+scree_status api_joints_set_coordinates(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                        const scree_joint_coordinate* values, int count)
 {
 	FLOAT_MODE_HERE;
 	Change change = batch(world, "scree_joints_set_coordinates", "values", joints, count, which);
 	return change_all(&change, values, set_coordinate);
 }
 
-scree_status scree_joint_set_coordinate(scree_world* world, scree_joint joint, scree_coordinate which,
-                                        const scree_joint_coordinate* value)
+scree_status api_joint_set_coordinate(scree_world* world, scree_joint joint, scree_coordinate which,
+                                      const scree_joint_coordinate* value)
 {
 	FLOAT_MODE_HERE;
 	Change change = single(world, "scree_joint_set_coordinate", "value", &joint, which);
@@ -119,8 +120,8 @@ static scree_status set_number(const Change* change, ArgumentPlace at, const voi
 	return check_real(at, "", value, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE);
 }
 
-scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joints, scree_coordinate which,
-                                      const float* targets, int count)
+scree_status api_joints_set_targets(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                    const float* targets, int count)
 {
 	FLOAT_MODE_HERE;
 	Change change = batch(world, "scree_joints_set_targets", "targets", joints, count, which);
@@ -128,7 +129,7 @@ scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joi
 	return change_all(&change, targets, set_number);
 }
 
-scree_status scree_joint_set_target(scree_world* world, scree_joint joint, scree_coordinate which, float target)
+scree_status api_joint_set_target(scree_world* world, scree_joint joint, scree_coordinate which, float target)
 {
 	FLOAT_MODE_HERE;
 	Change change = single(world, "scree_joint_set_target", "target", &joint, which);
@@ -136,8 +137,8 @@ scree_status scree_joint_set_target(scree_world* world, scree_joint joint, scree
 	return change_all(&change, &target, set_number);
 }
 
-scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint* joints, scree_coordinate which,
-                                           const float* speeds, int count)
+scree_status api_joints_set_motor_speeds(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                         const float* speeds, int count)
 {
 	FLOAT_MODE_HERE;
 	Change change = batch(world, "scree_joints_set_motor_speeds", "speeds", joints, count, which);
@@ -145,7 +146,7 @@ scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint
 	return change_all(&change, speeds, set_number);
 }
 
-scree_status scree_joint_set_motor_speed(scree_world* world, scree_joint joint, scree_coordinate which, float speed)
+scree_status api_joint_set_motor_speed(scree_world* world, scree_joint joint, scree_coordinate which, float speed)
 {
 	FLOAT_MODE_HERE;
 	Change change = single(world, "scree_joint_set_motor_speed", "speed", &joint, which);
@@ -171,8 +172,8 @@ static scree_status set_frames(const Change* change, ArgumentPlace at, const voi
 	return check_pose(at, "", &def->frame_b);
 }
 
-scree_status scree_joints_set_frames(scree_world* world, const scree_joint* joints, const scree_pose* frames_a,
-                                     const scree_pose* frames_b, int count)
+scree_status api_joints_set_frames(scree_world* world, const scree_joint* joints, const scree_pose* frames_a,
+                                   const scree_pose* frames_b, int count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_joints_set_frames";
@@ -185,7 +186,7 @@ scree_status scree_joints_set_frames(scree_world* world, const scree_joint* join
 	return change_all(&change, &frames, set_frames);
 }
 
-scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree_pose frame_a, scree_pose frame_b)
+scree_status api_joint_set_frames(scree_world* world, scree_joint joint, scree_pose frame_a, scree_pose frame_b)
 {
 	FLOAT_MODE_HERE;
 	Frames frames = {&frame_a, &frame_b, "frame_a", "frame_b"};
@@ -202,14 +203,14 @@ static scree_status set_enabled(const Change* change, ArgumentPlace at, const vo
 	return SCREE_OK;
 }
 
-scree_status scree_joints_set_enabled(scree_world* world, const scree_joint* joints, const bool* enabled, int count)
+scree_status api_joints_set_enabled(scree_world* world, const scree_joint* joints, const bool* enabled, int count)
 {
 	FLOAT_MODE_HERE;
 	Change change = batch(world, "scree_joints_set_enabled", "enabled", joints, count, SCREE_ALONG);
 	return change_all(&change, enabled, set_enabled);
 }
 
-scree_status scree_joint_set_enabled(scree_world* world, scree_joint joint, bool enabled)
+scree_status api_joint_set_enabled(scree_world* world, scree_joint joint, bool enabled)
 {
 	FLOAT_MODE_HERE;
 	Change change = single(world, "scree_joint_set_enabled", "enabled", &joint, SCREE_ALONG);

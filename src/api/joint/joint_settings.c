@@ -7,6 +7,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
+#include "world/record/api_calls.h"
 #include "world/structure.h"
 #include <float.h>
 #include <string.h>
@@ -25,7 +26,7 @@ static void record(scree_world* world, int index, const scree_joint_def* before)
 		joint_changed(world, index, false);
 }
 
-scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz, float damping_ratio)
+scree_status api_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz, float damping_ratio)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_set_stiffness";
@@ -50,7 +51,7 @@ static scree_status lookup_coupling(scree_world* world, const char* function, sc
 	              "is of type %s, not a gear or a pulley", scree_joint_type_name(type));
 }
 
-scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio)
+scree_status api_joint_set_ratio(scree_world* world, scree_joint joint, float ratio)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_set_ratio";
@@ -63,7 +64,7 @@ scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float 
 	return SCREE_OK;
 }
 
-scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a, scree_pose base_b)
+scree_status api_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a, scree_pose base_b)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_set_bases";
@@ -78,8 +79,7 @@ scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_
 	return SCREE_OK;
 }
 
-scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque,
-                                        bool can_break)
+scree_status api_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque, bool can_break)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_set_thresholds";
@@ -96,7 +96,7 @@ scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, f
 	return SCREE_OK;
 }
 
-scree_status scree_joint_set_elliptic(scree_world* world, scree_joint joint, bool elliptic)
+scree_status api_joint_set_elliptic(scree_world* world, scree_joint joint, bool elliptic)
 {
 	FLOAT_MODE_HERE;
 	int index = 0;
@@ -107,7 +107,7 @@ scree_status scree_joint_set_elliptic(scree_world* world, scree_joint joint, boo
 	return SCREE_OK;
 }
 
-scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides)
+scree_status api_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides)
 {
 	FLOAT_MODE_HERE;
 	int index = 0;
@@ -118,7 +118,7 @@ scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint j
 	return SCREE_OK;
 }
 
-scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_t user)
+scree_status api_joint_set_user(scree_world* world, scree_joint joint, uint64_t user)
 {
 	FLOAT_MODE_HERE;
 	int index = 0;

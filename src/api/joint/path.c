@@ -6,6 +6,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/path_samples.h"
 #include "world/objects/paths.h"
+#include "world/record/api_calls.h"
 #include "world/structure.h"
 #include <math.h>
 #include <stdio.h>
@@ -47,7 +48,7 @@ static scree_status check_points(ArgumentPlace at, const scree_path_def* def)
 	return SCREE_OK;
 }
 
-scree_status scree_path_create(scree_world* world, const scree_path_def* def, scree_path* path)
+scree_status api_path_create(scree_world* world, const scree_path_def* def, scree_path* path)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_path_create";
@@ -65,7 +66,7 @@ scree_status scree_path_create(scree_world* world, const scree_path_def* def, sc
 	return SCREE_OK;
 }
 
-scree_status scree_path_destroy(scree_world* world, scree_path path)
+scree_status api_path_destroy(scree_world* world, scree_path path)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_path_destroy";
@@ -159,7 +160,7 @@ scree_status scree_path_get_user(const scree_world* world, scree_path path, uint
 	return SCREE_OK;
 }
 
-scree_status scree_path_set_user(scree_world* world, scree_path path, uint64_t user)
+scree_status api_path_set_user(scree_world* world, scree_path path, uint64_t user)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_path_set_user";

@@ -12,6 +12,8 @@
 #include "world/objects/reports.h"
 #include "world/objects/sensors.h"
 #include "world/objects/targets.h"
+#include "world/record/api_calls.h"
+#include "world/record/recorder.h"
 #include "world/tuning_members.h"
 #include "world/upload/upload.h"
 #include "world/upload/whole_sleep.h"
@@ -90,7 +92,7 @@ scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 	return status;
 }
 
-scree_status scree_world_step(scree_world* world, float dt, int substeps)
+scree_status api_world_step(scree_world* world, float dt, int substeps)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_step";
@@ -167,11 +169,15 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 void scree_world_destroy(scree_world* world)
 {
 	FLOAT_MODE_HERE;
-	if (world)
-		world_destroy(world);
+	if (!world)
+		return;
+#ifndef SCREE_SMALL // a build for WebAssembly makes no recordings
+	recorders_close(world);
+#endif
+	world_destroy(world);
 }
 
-scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity)
+scree_status api_world_set_gravity(scree_world* world, scree_vec gravity)
 {
 	FLOAT_MODE_HERE;
 	TRY(world_check(world, "scree_world_set_gravity"));

@@ -3,6 +3,7 @@
 #include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
+#include "world/record/api_calls.h"
 #include "world/tuning_members.h"
 #include "world/upload/whole_sleep.h"
 #include "world/world.h"
@@ -20,7 +21,7 @@ scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning
 	return SCREE_OK;
 }
 
-scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning)
+scree_status api_world_set_tuning(scree_world* world, const scree_tuning* tuning)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_set_tuning";

@@ -3,6 +3,7 @@
 #include "platform/processor.h"
 #include "world/check.h"
 #include "world/failure.h"
+#include "world/record/api_calls.h"
 #include "world/save/saves.h"
 #include "world/save_list.h"
 
@@ -14,21 +15,21 @@ static scree_status check_number(scree_world* world, const char* function, int s
 	return SCREE_OK;
 }
 
-scree_status scree_world_save(scree_world* world, int save)
+scree_status api_world_save(scree_world* world, int save)
 {
 	FLOAT_MODE_HERE;
 	TRY(check_number(world, "scree_world_save", save));
 	return world_save(world, "scree_world_save", save);
 }
 
-scree_status scree_world_load(scree_world* world, int save)
+scree_status api_world_load(scree_world* world, int save)
 {
 	FLOAT_MODE_HERE;
 	TRY(check_number(world, "scree_world_load", save));
 	return world_load(world, "scree_world_load", save);
 }
 
-scree_status scree_world_discard(scree_world* world, int save)
+scree_status api_world_discard(scree_world* world, int save)
 {
 	FLOAT_MODE_HERE;
 	TRY(check_number(world, "scree_world_discard", save));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// world_snapshot.c -- writes, restores and clones worlds.
+// world_snapshot.c -- writes, restores, clones and compares worlds.
 #include "platform/processor.h"
 #include "world/check.h"
 #include "world/failure.h"
+#include "world/record/api_calls.h"
+#include "world/snapshot/compare.h"
 #include "world/snapshot/restore.h"
 #include "world/snapshot/snapshot.h"
 
@@ -19,7 +21,7 @@ scree_status scree_world_snapshot(scree_world* world, const void** bytes, size_t
 	return SCREE_OK;
 }
 
-scree_status scree_world_restore(scree_world* world, const void* bytes, size_t size)
+scree_status api_world_restore(scree_world* world, const void* bytes, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_restore";
@@ -60,4 +62,15 @@ scree_status scree_world_clone(scree_world* world, const scree_world_def* def, s
 	size_t size;
 	TRY(scree_world_snapshot(world, &bytes, &size));
 	return scree_world_create_from(def ? def : &same, bytes, size, clone);
+}
+
+scree_status scree_snapshots_compare_sized(const void* a, size_t size_a, const void* b, size_t size_b,
+                                           scree_difference* differences, size_t size, int capacity, int* count)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_snapshots_compare";
+	TRY(check_pointer(function, "a", a));
+	TRY(check_pointer(function, "b", b));
+	TRY(check_list(function, "differences", differences, capacity, count));
+	return snapshots_compare(function, a, size_a, b, size_b, differences, size, capacity, count);
 }

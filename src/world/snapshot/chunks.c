@@ -28,8 +28,7 @@ uint64_t chunks_digest(const uint8_t* bytes, size_t size)
 	return digest;
 }
 
-// Returns the address of `more` new bytes at the end, or null. A writer without memory has `used` SIZE_MAX.
-static uint8_t* append(ChunkWriter* writer, size_t more)
+uint8_t* writer_append(ChunkWriter* writer, size_t more)
 {
 	if (writer->used == SIZE_MAX)
 		return NULL;
@@ -60,7 +59,7 @@ scree_status chunks_begin(ChunkWriter* writer, const char* function)
 {
 	writer->used = 0;
 	const char* library = scree_version();
-	uint8_t length = (uint8_t)strlen(library), *at = append(writer, sizeof magic + 2 + (size_t)length);
+	uint8_t length = (uint8_t)strlen(library), *at = writer_append(writer, sizeof magic + 2 + (size_t)length);
 	if (!at)
 		return no_memory(function);
 	memcpy(at, magic, sizeof magic);
@@ -74,7 +73,7 @@ uint8_t* chunk_add(ChunkWriter* writer, const char* name, int bytes, int count, 
 {
 	size_t length = strlen(name);
 	ASSERT(length > 0 && length <= CHUNK_NAME);
-	uint8_t* at = append(writer, CHUNK_FIXED + length + (size_t)bytes * (size_t)stored);
+	uint8_t* at = writer_append(writer, CHUNK_FIXED + length + (size_t)bytes * (size_t)stored);
 	if (!at)
 		return NULL;
 	uint16_t bytes16 = (uint16_t)bytes;
@@ -90,7 +89,7 @@ uint8_t* chunk_add(ChunkWriter* writer, const char* name, int bytes, int count, 
 
 scree_status chunks_end(ChunkWriter* writer, const char* function)
 {
-	uint8_t* at = append(writer, 1 + DIGEST_BYTES);
+	uint8_t* at = writer_append(writer, 1 + DIGEST_BYTES);
 	if (!at)
 		return no_memory(function);
 	*at = 0;

@@ -26,6 +26,8 @@ typedef struct // the chunks of a snapshot, which lie in memory of the caller
 	uint32_t size;        // number of entries, a power of two
 } ChunkIndex;
 
+// Returns the address of `more` new bytes at the end of a writer, or null. A writer without memory has `used` SIZE_MAX.
+uint8_t* writer_append(ChunkWriter* writer, size_t more);
 // Begins a snapshot with the header.
 scree_status chunks_begin(ChunkWriter* writer, const char* function);
 // Appends a chunk, and returns the address at which its values are to be written; null if there is no memory. stored:

@@ -186,6 +186,7 @@ static void adopt(scree_world* world, scree_world* made)
 	memcpy(made->shared, world->shared, sizeof made->shared);
 	memcpy(made->device, world->device, sizeof made->device);
 	made->snapshot = world->snapshot;
+	made->recorders = world->recorders;
 	made->saves = world->saves;
 	structure_changed(made);
 	made->pipeline.first_contacts = world->pipeline.first_contacts;
@@ -199,6 +200,7 @@ static void adopt(scree_world* world, scree_world* made)
 	made->backend = NULL;
 	made->auto_device = (AutoDevice){0};
 	made->snapshot = (ChunkWriter){0};
+	made->recorders = (Recorders){0};
 	made->saves = (Saves){0};
 }
 

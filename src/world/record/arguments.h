@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// arguments.h -- macros for the arguments of recorded calls: recorded_calls.def has them as (kind, type, name).
+#ifndef ARGUMENTS_H
+#define ARGUMENTS_H
+
+#define MOST_ARGUMENTS 4 // maximum number of arguments of a recorded call, the world not counted
+
+// Applies a macro to the number and to each of one to four arguments, with commas between the results.
+#define EACH_1(f, a)                             f(0, a)
+#define EACH_2(f, a, b)                          EACH_1(f, a), f(1, b)
+#define EACH_3(f, a, b, c)                       EACH_2(f, a, b), f(2, c)
+#define EACH_4(f, a, b, c, d)                    EACH_3(f, a, b, c), f(3, d)
+#define EACH_FOURTH_AFTER(a, b, c, d, each, ...) each
+#define EACH(f, ...)                             EACH_FOURTH_AFTER(__VA_ARGS__, EACH_4, EACH_3, EACH_2, EACH_1, 0)(f, __VA_ARGS__)
+
+// type of an argument in C, by its kind
+#define VALUE_TYPE(type)   type
+#define COUNT_TYPE(type)   type
+#define SIZE_TYPE(type)    type
+#define POINTER_TYPE(type) const type*
+#define ARRAY_TYPE(type)   const type*
+#define PATH_TYPE(type)    const type*
+#define BYTES_TYPE(type)   const type*
+#define RESULT_TYPE(type)  type*
+#define RESULTS_TYPE(type) type*
+
+// declaration of an argument, for EACH
+#define PARAMETER_OF(kind, type, name) kind##_TYPE(type) name
+#define AS_PARAMETER(k, argument)      PARAMETER_OF argument
+
+#endif
