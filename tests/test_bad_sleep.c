@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_bad_sleep.c -- checks that the functions of sleep refuse bad arguments with a message, and change nothing.
 #include "support/bad_input.h"
+#include "support/make_worlds.h"
 #include <math.h>
 
 static void wakes(void** state)
@@ -62,8 +63,32 @@ static void settings(void** state)
 	INVALID(scree_body_get_stays_awake, (world, body, NULL), "stays_awake is null");
 }
 
+// A batch that is refused for its second body does not wake the world, although the first body carries a field.
+static void refused_batches_wake_nothing(void** state)
+{
+	(void)state;
+	scree_world* sleepers = open_world(0.0f);
+	scree_body_def def = scree_body_def_default();
+	scree_field_def field = scree_field_def_default(SCREE_FIELD_UNIFORM);
+	scree_body carrier, sleeper;
+	OK(scree_body_create(sleepers, &def, &carrier));
+	field.body = carrier;
+	field.disabled = true;
+	OK(scree_field_create(sleepers, &field, NULL));
+	def.asleep = true;
+	OK(scree_body_create(sleepers, &def, &sleeper));
+	const scree_body bodies[2] = {carrier, SCREE_NULL_BODY};
+	const bool enabled[2] = {true, true};
+	bool awake = true;
+	assert_int_equal(scree_bodies_set_enabled(sleepers, bodies, enabled, 2), SCREE_ERROR_STALE);
+	OK(scree_body_get_awake(sleepers, sleeper, &awake));
+	assert_false(awake);
+	scree_world_destroy(sleepers);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(wakes), cmocka_unit_test(settings)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(wakes), cmocka_unit_test(settings),
+	                                   cmocka_unit_test(refused_batches_wake_nothing)};
 	return cmocka_run_group_tests(tests, set_up_bad_input, tear_down_bad_input);
 }

@@ -44,6 +44,7 @@ static void check_variant(const Variant* variant, int count, Place second)
 	Program program = {0};
 	solve_form_setting = variant->form;
 	pair_open(&pair, places);
+	pair.records = true;
 	bool differs = false;
 	for (int k = 0; k < count && !differs; ++k)
 	{

@@ -16,34 +16,8 @@ typedef struct
 } Named;
 
 static const Named named[] = {
-    {POOL_body, {"vx", "vy", "w", "inv_mass", "dx", "dy", "da", "inv_inertia"}},
-    {POOL_pose, {"x", "y", "cos", "sin"}},
-    {POOL_pose_low, {"low_x", "low_y"}},
-    {POOL_motion, {"fx", "fy", "torque", "gravity_scale", "linear_damping", "angular_damping", "free_x", "free_y"}},
-    {POOL_local_center, {"x", "y"}},
-    {POOL_stored_velocity, {"vx", "vy", "w", "stored"}},
-    {POOL_sleep, {"sleep"}},
-    {POOL_still, {"still"}},
-    {POOL_sleep_threshold, {"threshold"}},
-    {POOL_wake, {"wake"}},
-    {POOL_color_mask, {"low", "high"}},
-    {POOL_collidable_pose, {"x", "y", "cos", "sin"}},
-    {POOL_collidable_kind, {"kind"}},
-    {POOL_box, {"lower_x", "lower_y", "upper_x", "upper_y"}},
-    {POOL_world_shape, {"x", "y", "c", "s", "center_x", "center_y", "attribute", "body"}},
-    {POOL_pair, {"a", "b"}},
-    {POOL_contact_flags, {"flags"}},
-    {POOL_contact_color, {"color"}},
-    {POOL_contact_feature, {"first", "second"}},
-    {POOL_contact_manifold,
-     {"normal_x", "normal_y", "separation1", "separation2", "on_a1_x", "on_a1_y", "on_a2_x", "on_a2_y", "relative_x",
-      "relative_y", "relative_cos", "relative_sin", "then_cos", "then_sin", "reach", "distance"}},
-    {POOL_contact_surface, {"friction", "restitution", "rolling", "tangent_speed"}},
-    {POOL_contact_place, {"place"}},
-    {POOL_joint_flags, {"flags"}},
-    {POOL_joint_color, {"color"}},
-    {POOL_joint_place, {"place"}},
-    {POOL_joint_data, {"body_a", "body_b", "modes"}},
+#define POOL_WORDS(pool, ...) {POOL_##pool, {__VA_ARGS__}},
+#include "pools/pool_words.def"
 };
 
 static void print_field(FILE* file, const char* field, uint32_t a, uint32_t b)

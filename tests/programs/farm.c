@@ -127,6 +127,8 @@ void farm_work(const Options* o, int job, Desk* desk)
 	pair_open(&pair, o->places);
 	pair.infinite = o->infinite;
 	pair.limits = o->limits;
+	pair.records = o->records;
+	pair.record_path = o->record;
 	double until = o->seconds > 0.0 ? seconds_now() + o->seconds : INFINITY;
 	int reports = 0, stride = o->jobs * o->life;
 	for (int first = job * o->life; first < o->programs && seconds_now() < until; first += stride)

@@ -7,10 +7,10 @@
 typedef struct
 {
 	int programs, calls, jobs, life, reports, every;
-	bool shown, infinite, limits;
+	bool shown, infinite, limits, records;
 	uint64_t seed;
 	double shrink, limit, seconds; // s: maximum times for shortening a program, for one program, and for all programs
-	const char *out, *replay;
+	const char *out, *replay, *record;
 	Place places[2];
 } Options;
 

@@ -26,6 +26,9 @@ static const char usage[] =
     "  --reports N     failures that a process makes shorter and prints; the others it counts (4)\n"
     "  --infinite      state that is not finite is no failure\n"
     "  --reads         the other world is read between calls, and moved to the device where it is\n"
+    "  --records       the calls of each program are recorded, and repeated on the device at the end "
+    "(docs/recording.md)\n"
+    "  --record FILE   the same; the last recording is written to the file\n"
     "  --limits        a body that exceeds max_speed after a step is a failure, and one that turns too fast\n"
     "  --shrink S      seconds to make a program that fails shorter (20; 0 with --replay)\n"
     "  --seconds S     after which no more are begun (0: no end)\n"
@@ -54,6 +57,7 @@ static Options parse(int count, char** arguments)
 		             : strcmp(name, "--infinite") == 0 ? &o.infinite
 		             : strcmp(name, "--limits") == 0   ? &o.limits
 		             : strcmp(name, "--reads") == 0    ? &o.places[1].reads
+		             : strcmp(name, "--records") == 0  ? &o.records
 		                                               : NULL;
 		if (flag)
 		{
@@ -70,9 +74,9 @@ static Options parse(int count, char** arguments)
 		const char* value = arguments[++k];
 		char* end = NULL;
 		double number = strtod(value, &end);
-		const char* texts[] = {"--device", "--form", "--out", "--replay"};
+		const char* texts[] = {"--device", "--form", "--out", "--replay", "--record"};
 		bool text = false;
-		for (int i = 0; i < 4; ++i)
+		for (int i = 0; i < 5; ++i)
 			text |= strcmp(name, texts[i]) == 0;
 		if (!text && (end == value || *end || number < 0.0 || number > 1e15))
 			die("programs: %s is no number\n", value);
@@ -88,6 +92,11 @@ static Options parse(int count, char** arguments)
 			o.out = value;
 		else if (strcmp(name, "--replay") == 0)
 			o.replay = value;
+		else if (strcmp(name, "--record") == 0)
+		{
+			o.record = value;
+			o.records = true;
+		}
 		else if (strcmp(name, "--programs") == 0)
 			o.programs = (int)number;
 		else if (strcmp(name, "--seed") == 0)
@@ -137,6 +146,8 @@ static int replay(const Options* o)
 	pair_open(&pair, o->places);
 	pair.infinite = o->infinite;
 	pair.limits = o->limits;
+	pair.records = o->records;
+	pair.record_path = o->record;
 	if (o->shrink > 0.0 && farm_shrink(&pair, &program, o->shrink))
 		program_write(&program, stdout);
 	bool differs = farm_print(&pair, &program, o->replay, stdout);

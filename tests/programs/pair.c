@@ -206,6 +206,8 @@ void pair_forget(Pair* pair)
 		scree_world_destroy(pair->worlds[k]);
 		pair->worlds[k] = NULL;
 	}
+	scree_world_destroy(pair->repeated);
+	pair->repeated = NULL;
 }
 
 void pair_close(Pair* pair)
@@ -304,6 +306,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 	Sleepers sleepers = {0};
 	if (!pair_ready(pair, &program->calls[0], &outcome))
 		return outcome;
+	recorded_begin(pair);
 	for (int i = 1; i < program->count; ++i)
 	{
 		const Call* call = &program->calls[i];
@@ -333,6 +336,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 			different_print(pair->worlds[0], pair->worlds[1], details);
 		break;
 	}
+	recorded_end(pair, &outcome);
 	sleepers_close(&sleepers);
 	return outcome;
 }

@@ -88,7 +88,11 @@ typedef struct // two worlds on which programs run one after another
 	bool infinite;         // true: a state that is not finite is not reported
 	bool limits;           // true: a body beyond the limits of its world is reported
 	bool anew;             // true: each program gets new worlds
-	uint32_t first_read;   // selects the reads between the calls; from 0 to READ_CHOICES - 1
+	// true: the calls on the reference are recorded, and repeated on the other device at the end of the program (recorded.c)
+	bool records;
+	const char* record_path; // file to which the last recording is written; null: none
+	scree_world* repeated;   // world of the replays
+	uint32_t first_read;     // selects the reads between the calls; from 0 to READ_CHOICES - 1
 	int every; // steps from one comparison of hashes to the next; the end of a program is also compared; 0 means 1
 } Pair;
 

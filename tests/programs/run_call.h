@@ -103,6 +103,11 @@ scree_status run_load(const CallRun* run);
 void names_clear(struct Names* names);
 void snapshot_repeat(scree_world* world, bool steps);
 
+// recorded.c: begins a recording of a program on the reference, and ends it and repeats it on the other device, if pair->records
+// is set.
+void recorded_begin(Pair* pair);
+void recorded_end(Pair* pair, Outcome* outcome);
+
 // Returns the next number of a random sequence (Donald Knuth, H. W. Lewis). Worlds of saved programs depend on it, so
 // tools/common/random_numbers.h cannot replace it.
 uint32_t call_random(uint32_t* seed);
