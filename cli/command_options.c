@@ -4,8 +4,9 @@
 #include "cli/common/option_values.h"
 #include <string.h>
 
-#define WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | VALIDATE | QUERIES) // commands that create worlds
-#define ALL    (WORLDS | SCENES | DEVICES)
+#define SCENE_WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | QUERIES) // commands that create worlds of scenes
+#define WORLDS       (SCENE_WORLDS | VALIDATE | REPLAY)             // commands that create worlds
+#define ALL          (WORLDS | SCENES | DEVICES | DIFF)
 
 static bool read_renderer(Options* options, const Option* option, char* text)
 {
@@ -29,6 +30,14 @@ static bool read_sleep(Options* options, const Option* option, char* text)
 	if (options->sleep == SLEEP_ON || strcmp(text, "off") == 0)
 		return true;
 	return refuse_value(options, option, text, "be on or off");
+}
+
+static bool read_hash_interval(Options* options, const Option* option, char* text)
+{
+	char extra;
+	if (sscanf(text, "%9d%c", &options->hash_interval, &extra) == 1 && options->hash_interval >= 0)
+		return true;
+	return refuse_value(options, option, text, "be a whole number from 0 to 999999999");
 }
 
 static bool read_scale(Options* options, const Option* option, char* text)
@@ -66,6 +75,18 @@ static const Option layers = {"layers", 'L', "NAME,...",
                               TEXT(Options, layers)};
 static const Option script = {"script", 'x', "FILE", "file of user actions, one per line: docs/view.md",
                               TEXT(Options, script)};
+static const Option record = {"record", 'o', "FILE", "record all calls, for scree replay: docs/recording.md",
+                              TEXT(Options, record)};
+static const Option hash_interval = {"hash-interval", 'i', "N",
+                                     "steps from one hash of the recording to the next; 0: only the last; default 60",
+                                     OTHER(read_hash_interval)};
+static const Option save = {"save", 'W', "FILE", "write a snapshot of the last state: docs/snapshots.md",
+                            TEXT(Options, save)};
+static const Option load = {"load", 'O', "FILE", "begin with the state of a snapshot of the same scene",
+                            TEXT(Options, load)};
+static const Option against = {"against", 'A', "NAME",
+                               "device of a second world: the states of both are compared after each step",
+                               TEXT(Options, against)};
 static const Option queries = {"queries", 'Q', "N", "number of queries of each kind; default: a million",
                                NUMBER(Options, queries, 16000000)};
 static const Option repeats = {"repeats", 'r', "N", "runs of each scene or kind of query; default 3",
@@ -86,8 +107,8 @@ static const OptionRow rows[] = {
     {&option_threads, WORLDS},
     {&option_lanes, WORLDS},
     {&option_allow_unequal_bits, WORLDS},
-    {&option_set, WORLDS & ~VALIDATE},
-    {&sleep_option, WORLDS & ~VALIDATE},
+    {&option_set, SCENE_WORLDS},
+    {&sleep_option, SCENE_WORLDS},
     {&option_picture, RUN},
     {&option_video, RUN},
     {&option_size, RUN | FRAMES | VIEW},
@@ -100,6 +121,11 @@ static const OptionRow rows[] = {
     {&layers, RUN | VIEW},
     {&script, VIEW},
     {&option_csv, RUN},
+    {&load, RUN},
+    {&save, RUN},
+    {&record, RUN},
+    {&hash_interval, RUN},
+    {&against, REPLAY},
     {&queries, QUERIES},
     {&repeats, BENCH | QUERIES},
     {&whole, BENCH},
@@ -117,6 +143,8 @@ static bool have_effect(const OptionTable* table, const Options* options, unsign
 	bool other = options->command == VALIDATE || options->command == VIEW;
 	if (options->command == RUN && !options->picture && !options->video &&
 	    options_no_effect(table, options, given, "SRaLTVZ", "there is no --picture or --video"))
+		return false;
+	if (!options->record && options_no_effect(table, options, given, "i", "there is no --record"))
 		return false;
 	if (!other && strncmp(options->device, "opencl", 6) == 0 &&
 	    options_no_effect(table, options, given, "tl", "the device is not the CPU"))

@@ -15,6 +15,8 @@ enum // commands; bits, so that an option can belong to several of them
 	FRAMES = 64, // the command bench frames
 	VALIDATE = 128,
 	QUERIES = 256, // the command bench queries
+	REPLAY = 512,
+	DIFF = 1024,
 };
 
 extern const OptionTable command_options;

@@ -12,6 +12,8 @@ int bench_command(const Options* options);
 int frames_command(const Options* options);  // the command bench frames
 int queries_command(const Options* options); // the command bench queries
 int view_command(const Options* options);
+int replay_command(const Options* options);
+int diff_command(const Options* options);
 int validate_command(const Options* options);
 
 #endif

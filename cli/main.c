@@ -31,6 +31,10 @@ static const Command commands[] = {
     {VIEW, "view", "view [SCENE|FILE]", "open a window with a scene; default: pile", 0, 1, view_command,
      print_view_keys},
     {HASH, "hash", "hash SCENE|FILE", "simulate and print only the world's hash, 16 digits", 1, 1, hash_command, NULL},
+    {REPLAY, "replay", "replay FILE", "repeat a recording and compare its hashes: docs/recording.md", 1, 1,
+     replay_command, NULL},
+    {DIFF, "diff", "diff FILE FILE", "list the columns in which two snapshots differ: docs/snapshots.md", 2, 2,
+     diff_command, NULL},
     {SCENES, "scenes", "scenes", "list the scenes with their parameters", 0, 0, scenes_command, NULL},
     {DEVICES, "devices", "devices", "list the devices, and whether their results have equal bits", 0, 0,
      devices_command, NULL},
@@ -48,6 +52,6 @@ int main(int count, char** words)
 {
 	const CommandLine line = {"scree", "2D rigid body physics, bit-identical on every device", commands,
 	                          (int)(sizeof commands / sizeof commands[0]), command_options};
-	Options options = {.device = "auto", .width = 1600, .height = 900, .repeats = 3};
+	Options options = {.device = "auto", .width = 1600, .height = 900, .repeats = 3, .hash_interval = 60};
 	return command_line_run(&line, &options, count, words);
 }

@@ -5,6 +5,7 @@
 #include "cli/common/outputs.h"
 #include "cli/common/run_report.h"
 #include "commands.h"
+#include "run_files.h"
 #include "scene/load.h"
 #include "tools/common/clock.h"
 #include <inttypes.h>
@@ -58,9 +59,12 @@ int run_command(const Options* options)
 	{
 		code = outputs_open(&outputs, &player, stage_names);
 		if (code == EXIT_GOOD)
+			code = run_files_begin(options, &player);
+		if (code == EXIT_GOOD)
 			code = take_steps(&player, &outputs, steps, &totals);
 		if (code == EXIT_GOOD)
 			code = report(scree_world_get_hash(player.world, &snapshot.hash));
+		code = run_files_end(options, &player, code);
 		code = outputs_close(&outputs, &player, &snapshot, code);
 		if (code == EXIT_GOOD)
 			print_results(&player, &totals, stage_names, steps, snapshot.hash);

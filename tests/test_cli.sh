@@ -13,7 +13,7 @@ expect 0 'scree run SCENE|FILE' help
 expect 0 '--allow-unequal-bits' run --help
 expect 0 'scree hash SCENE|FILE' hash --help
 grep -q -- '--picture' out && fail "hash --help: lists options of other commands"
-for command in run view hash scenes devices bench 'bench frames' 'bench queries' validate; do
+for command in run view hash replay diff scenes devices bench 'bench frames' 'bench queries' validate; do
 	read -ra words <<<"$command"
 	expect 0 '-h, --help' "${words[@]}" --help
 	cp out help_by_option
@@ -139,6 +139,44 @@ for command in hash run "bench --repeats 1" "bench --whole --repeats 1"; do
 	expect 0 "$fall" "${words[@]}" nap.json --steps 5 --device cpu --sleep off
 done
 expect 0 'nap,--sleep=off,' bench nap.json --repeats 1 --steps 5 --device cpu --sleep off
+
+# snapshots: a run that goes on from a snapshot ends as a run without a break, churn included; equal states have equal snapshots
+churn=(churn --device cpu --threads 1)
+whole=$("$scree" hash "${churn[@]}" --steps 30)
+expect 0 'steps          20 in' run "${churn[@]}" --steps 20 --save early.snap
+expect 0 "$whole" run "${churn[@]}" --steps 10 --load early.snap --save late.snap
+"$scree" run churn --device cpu --threads 2 --lanes 1 --steps 20 --save same.snap >/dev/null
+expect 0 'equal' diff early.snap same.snap
+refuse 2 'late.snap: No such file' diff early.snap nowhere/late.snap
+"$scree" diff early.snap late.snap >out 2>err
+[ $? = 1 ] || fail "diff: another exit code than 1"
+grep -qE '^pipeline.steps  +1 of 1 differ; item 0: 0{14}14 \| 0{14}1e$' out || fail "diff: no steps"
+grep -qE '^pool.pose\+4 y  +[0-9]+ of [0-9]+ differ; item [0-9]+: [0-9a-f]{8} \(.*\) \| [0-9a-f]{8} \(' out || fail "diff: no poses"
+refuse 2 'are not a snapshot' diff early.snap rows.csv
+refuse 2 'are not a snapshot' run "${churn[@]}" --load rows.csv
+refuse 2 'cannot read nowhere.snap: No such file' run "${churn[@]}" --load nowhere.snap
+refuse 1 'cannot write nowhere/x.snap' run "${churn[@]}" --steps 2 --save nowhere/x.snap
+refuse 2 'the scene has characters' run platformer --device cpu --steps 2 --save x.snap
+
+# recordings: a replay with other threads and lanes, or beside another device, has the hashes of the run
+hash30=$whole
+expect 0 "$hash30" run "${churn[@]}" --steps 30 --record churn.rec --hash-interval 10
+expect 0 'hashes         4, all equal' replay churn.rec --device cpu --threads 2 --lanes 1
+grep -qx "hash           $hash30" out || fail "replay: another hash"
+expect 0 'against        cpu' replay churn.rec --device cpu --lanes 1 --against cpu
+head -c "$(($(wc -c <churn.rec) - 30))" churn.rec >cut.rec
+expect 0 'end            missing after' replay cut.rec --device cpu
+expect 0 "$hash30" run "${churn[@]}" --steps 10 --load early.snap --record late.rec --hash-interval 0
+expect 0 'hashes         1, all equal' replay late.rec --device cpu
+refuse 2 'a file is missing; the command takes one file' replay
+refuse 2 'a file is missing; the command takes two files' diff early.snap
+refuse 2 'are not a recording' replay early.snap --device cpu
+refuse 2 'cannot read nowhere.rec' replay nowhere.rec
+refuse 1 'def.path is "nowhere/x.rec", which cannot be opened: No such file' run "${churn[@]}" --steps 2 --record nowhere/x.rec
+refuse 2 '--hash-interval has no effect: there is no --record' run "${churn[@]}" --hash-interval 3
+refuse 2 '--hash-interval -3: must be a whole number from 0' run "${churn[@]}" --record x.rec --hash-interval -3
+refuse 2 'takes no --against' run pile --against cpu
+[ -w /dev/full ] && refuse 1 '/dev/full cannot be written: No space' run "${churn[@]}" --steps 2 --record /dev/full
 
 # hash
 expect 0 '' hash pyramid "${small[@]}"

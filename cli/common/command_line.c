@@ -116,14 +116,17 @@ static int run_named(const CommandLine* line, Options* options, int count, char*
 	}
 	if (options->argument_count < command->least || options->argument_count > command->most)
 	{
-		const char* takes = command->most == 0   ? "no arguments"
-		                    : command->most == 1 ? "one scene"
-		                                         : "one scene or more";
+		const char* noun = strstr(command->usage, " FILE") && !strstr(command->usage, "SCENE") ? "file" : "scene";
+		char takes[32] = "no arguments";
+		if (command->most == 1)
+			snprintf(takes, sizeof takes, "one %s", noun);
+		else if (command->most > 1)
+			snprintf(takes, sizeof takes, command->most == 2 ? "two %ss" : "one %s or more", noun);
 		if (options->argument_count > command->most)
 			fprintf(stderr, "%s %s: unexpected argument \"%s\"; the command takes %s\n", line->name, command->name,
 			        options->arguments[command->most], takes);
 		else
-			fprintf(stderr, "%s %s: a scene is missing; the command takes %s\n", line->name, command->name, takes);
+			fprintf(stderr, "%s %s: a %s is missing; the command takes %s\n", line->name, command->name, noun, takes);
 		return EXIT_BAD;
 	}
 	return command->run(options);

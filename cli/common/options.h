@@ -35,8 +35,12 @@ typedef struct
 	bool has_view, has_zoom;               // true if the option was given; otherwise the scene's view is shown
 	scree_box view, zoom;                  // m: part of the world in pictures at the start, and at the end
 	int repeats;
-	int queries;       // 0: 1,000,000 queries
-	const char* known; // path of a CSV with expected hashes; null: none
+	const char *save, *load; // paths of snapshots; null: none
+	const char* record;      // path of a recording; null: none
+	int hash_interval;       // steps from one hash of the recording to the next
+	const char* against;     // device of a second world; null: none
+	int queries;             // 0: 1,000,000 queries
+	const char* known;       // path of a CSV with expected hashes; null: none
 	bool names, test, whole, quick;
 	bool help; // true: the command prints its help; the options after --help were not read
 	SceneSetting settings[MAX_SETTINGS];

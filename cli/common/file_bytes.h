@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// file_bytes.h -- reads and writes whole files.
+#ifndef FILE_BYTES_H
+#define FILE_BYTES_H
+#include "options.h"
+#include <stddef.h>
+
+typedef struct
+{
+	void* bytes;
+	size_t size;
+} FileBytes;
+
+// Reads a file. The caller frees its bytes. On failure it prints an error message. Returns an exit code.
+int file_read(const Options* options, const char* path, FileBytes* file);
+
+// Writes a file. On failure it prints an error message. Returns an exit code.
+int file_write(const Options* options, const char* path, const void* bytes, size_t size);
+
+#endif
