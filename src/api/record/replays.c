@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// replay.c -- repeats the calls of a recording, and compares their results and the hashes of the world.
+// replays.c -- repeats the calls of a recording, and compares their results and the hashes of the world.
 #include "api/record/repeat.h"
 #include "platform/error.h"
 #include "platform/processor.h"
