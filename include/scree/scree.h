@@ -268,6 +268,10 @@ typedef struct scree_world_def
 	// m/s, 1e-6 to 1e6, default 0.05. A body is at rest while no point of it moves faster. Its motion in each step
 	// counts, not its velocity.
 	float sleep_threshold;
+	// s, 0 to INFINITY: maximum time that a call waits for the commands of an OpenCL device; then the call fails with
+	// SCREE_ERROR_DEVICE_FAILED. 0 (default): 10 s for a GPU; no limit for a CPU, which is never lost and may compile
+	// kernels at their first launch for minutes. INFINITY: no limit. See docs/faults.md.
+	float device_timeout;
 } scree_world_def;
 
 // Returns a definition with the default values.

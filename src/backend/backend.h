@@ -31,6 +31,7 @@ typedef struct
 	const char* device; // part of the name of a device, or null for the first suitable device
 	int threads, lanes; // 0 for the maximum of the device
 	bool allow_unequal_bits, timings;
+	float device_timeout;       // OpenCL: scree_world_def.device_timeout, s
 	bool gpu;                   // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
 	const scree_opengl* opengl; // OpenGL context with which memory is shared, or null
 	TestWorlds* test;           // OpenCL: test of a device without a verdict; null: it is not tested

@@ -66,46 +66,53 @@ typedef struct
 	cl_program program;
 	cl_kernel kernel;
 	cl_mem buffer;
+	cl_event event, unmapped; // of the commands that map and unmap the buffer
+	ContextFailure failure;
 } Objects;
 
-static scree_status compute(const Device* device, bool own_rounding, Objects* o, Word* results)
+static scree_status compute(const Device* device, double limit, bool own_rounding, Objects* o, Word* results)
 {
 	cl_int error;
 	cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)device->platform, 0};
-	o->context = opencl.CreateContext(properties, 1, &device->id, NULL, NULL, &error);
-	TRY(opencl_check("clCreateContext", error));
-	o->queue = opencl.CreateCommandQueue(o->context, device->id, 0, &error);
-	TRY(opencl_check("clCreateCommandQueue", error));
+	CREATE(&o->failure, o->context, error, Context, properties, 1, &device->id, NULL, NULL);
+	TRY(context_check(&o->failure, "clCreateContext", error));
+	CREATE(&o->failure, o->queue, error, CommandQueue, o->context, device->id, 0);
+	TRY(context_check(&o->failure, "clCreateCommandQueue", error));
 
 	char options[PROGRAM_OPTIONS], arithmetic[ARITHMETIC_OPTIONS];
 	arithmetic_options(own_rounding, arithmetic);
 	snprintf(options, sizeof options, "%s%s", device->type & CL_DEVICE_TYPE_CPU ? " -DCALLS" : "", arithmetic);
-	TRY(program_build(o->context, device, options, arithmetic_program, arithmetic_program_length, &o->program));
-	o->kernel = opencl.CreateKernel(o->program, "arithmetic", &error);
-	TRY(opencl_check("clCreateKernel", error));
+	TRY(program_build(&o->failure, o->context, device, options, arithmetic_program, arithmetic_program_length,
+	                  &o->program));
+	CREATE(&o->failure, o->kernel, error, Kernel, o->program, "arithmetic");
+	TRY(context_check(&o->failure, "clCreateKernel", error));
 
 	size_t bytes = ARITHMETIC_RESULTS * sizeof *results, items = (ARITHMETIC_RESULTS + GROUP - 1) / GROUP * GROUP;
-	o->buffer = opencl.CreateBuffer(o->context, CL_MEM_WRITE_ONLY, bytes, NULL, &error);
-	TRY(opencl_check("clCreateBuffer", error));
-	TRY(CALL(SetKernelArg, o->kernel, 0, sizeof o->buffer, &o->buffer));
-	TRY(CALL(EnqueueNDRangeKernel, o->queue, o->kernel, 1, NULL, &items, NULL, 0, NULL, NULL));
-	return CALL(EnqueueReadBuffer, o->queue, o->buffer, CL_TRUE, 0, bytes, results, 0, NULL, NULL);
+	CREATE(&o->failure, o->buffer, error, Buffer, o->context, CL_MEM_WRITE_ONLY | CL_MEM_ALLOC_HOST_PTR, bytes, NULL);
+	TRY(context_check(&o->failure, "clCreateBuffer", error));
+	TRY(CALL(&o->failure, SetKernelArg, o->kernel, 0, sizeof o->buffer, &o->buffer));
+	TRY(CALL(&o->failure, EnqueueNDRangeKernel, o->queue, o->kernel, 1, NULL, &items, NULL, 0, NULL, NULL));
+	// the buffer is mapped, because a device that failed might write to `results` after its release
+	void* mapped =
+	    opencl.EnqueueMapBuffer(o->queue, o->buffer, CL_FALSE, CL_MAP_READ, 0, bytes, 0, NULL, &o->event, &error);
+	TRY(context_check(&o->failure, "clEnqueueMapBuffer", error));
+	TRY(CALL(&o->failure, Flush, o->queue));
+	TRY(wait_for(&o->failure, o->event, limit, device->type & CL_DEVICE_TYPE_CPU));
+	memcpy(results, mapped, bytes);
+	TRY(CALL(&o->failure, EnqueueUnmapMemObject, o->queue, o->buffer, mapped, 0, NULL, &o->unmapped));
+	TRY(CALL(&o->failure, Flush, o->queue));
+	return wait_for(&o->failure, o->unmapped, limit, device->type & CL_DEVICE_TYPE_CPU);
 }
 
-static void release(const Objects* o)
+static void release(Objects* o)
 {
-	if (o->queue)
-		opencl.Finish(o->queue); // an error of the device was already reported
-	if (o->buffer)
-		opencl.ReleaseMemObject(o->buffer);
-	if (o->kernel)
-		opencl.ReleaseKernel(o->kernel);
-	if (o->program)
-		opencl.ReleaseProgram(o->program);
-	if (o->queue)
-		opencl.ReleaseCommandQueue(o->queue);
-	if (o->context)
-		opencl.ReleaseContext(o->context);
+	RELEASE(&o->failure, Event, o->event);
+	RELEASE(&o->failure, Event, o->unmapped);
+	RELEASE(&o->failure, MemObject, o->buffer);
+	RELEASE(&o->failure, Kernel, o->kernel);
+	RELEASE(&o->failure, Program, o->program);
+	RELEASE(&o->failure, CommandQueue, o->queue);
+	RELEASE(&o->failure, Context, o->context);
 }
 
 static int print_value(char* text, size_t size, ResultType type, Word bits)
@@ -182,10 +189,11 @@ int arithmetic_compare(const Word* results, Verdict* verdict)
 	return ARITHMETIC_OPERATIONS;
 }
 
-static scree_status compute_and_compare(const Device* device, Verdict* verdict, Word* results, int* operation)
+static scree_status compute_and_compare(const Device* device, double limit, Verdict* verdict, Word* results,
+                                        int* operation)
 {
 	Objects objects = {.context = NULL};
-	scree_status status = compute(device, verdict->own_rounding, &objects, results);
+	scree_status status = compute(device, limit, verdict->own_rounding, &objects, results);
 	release(&objects);
 	TRY(status);
 	FloatMode mode = float_mode_enter();
@@ -196,21 +204,21 @@ static scree_status compute_and_compare(const Device* device, Verdict* verdict, 
 	return SCREE_OK;
 }
 
-scree_status arithmetic_test(const Device* device, Verdict* verdict)
+scree_status arithmetic_test(const Device* device, double limit, Verdict* verdict)
 {
 	*verdict = (Verdict){.own_rounding = device->own_rounding};
 	Word* results = scree_allocate(ARITHMETIC_RESULTS * sizeof *results);
 	if (!results)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d results of an OpenCL device", ARITHMETIC_RESULTS);
 	int operation = 0;
-	scree_status status = compute_and_compare(device, verdict, results, &operation);
+	scree_status status = compute_and_compare(device, limit, verdict, results, &operation);
 	if (status == SCREE_OK && !verdict->equal && operation >= ARITHMETIC_QUOTIENT && !verdict->own_rounding)
 	{
 		log_sentence(SCREE_LOG_WARNING,
 		             "%s reports that it rounds quotients and roots correctly, but %s; integers will round them.",
 		             device->about.name, verdict->difference);
 		*verdict = (Verdict){.own_rounding = true};
-		status = compute_and_compare(device, verdict, results, &operation);
+		status = compute_and_compare(device, limit, verdict, results, &operation);
 	}
 	scree_release(results);
 	return status;

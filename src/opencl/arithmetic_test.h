@@ -15,7 +15,7 @@ int arithmetic_compare(const uint32_t* results, Verdict* verdict);
 
 // Computes ARITHMETIC_RESULTS float results on the device and on the CPU, and sets all members of the verdict but
 // `worlds`. If the device rounds quotients or roots wrongly, the results are computed again with own rounding. Fails
-// only if an OpenCL call fails.
-scree_status arithmetic_test(const Device* device, Verdict* verdict);
+// only if an OpenCL call fails. limit: that of wait_for, s.
+scree_status arithmetic_test(const Device* device, double limit, Verdict* verdict);
 
 #endif

@@ -94,15 +94,15 @@ static scree_status enqueue(const Way* way, int k, cl_event begin)
 	run.end = first + count;
 	TRY(transfer_send(d, d->transfer.up, begin, up_block(k), pool_buffer(d, x->asked),
 	                  pool_offset(d, x->asked) + way->item * (size_t)first, way->item * (size_t)count));
-	TRY(CALL(EnqueueBarrierWithWaitList, d->queue, 1, &d->transfer.events[up_block(k)], NULL));
+	TRY(CALL(d->failure, EnqueueBarrierWithWaitList, d->queue, 1, &d->transfer.events[up_block(k)], NULL));
 	TRY(kernel_run(d, &run));
 	cl_event done;
-	TRY(CALL(EnqueueBarrierWithWaitList, d->queue, 0, NULL, &done));
-	scree_status status = CALL(Flush, d->queue);
+	TRY(CALL(d->failure, EnqueueBarrierWithWaitList, d->queue, 0, NULL, &done));
+	scree_status status = CALL(d->failure, Flush, d->queue);
 	if (status == SCREE_OK)
 		status = transfer_fetch(d, d->transfer.down, done, down_block(k), pool_buffer(d, x->answered),
 		                        pool_offset(d, x->answered) + way->answer * (size_t)first, way->answer * (size_t)count);
-	opencl.ReleaseEvent(done);
+	RELEASE(d->failure, Event, done);
 	return status;
 }
 
@@ -110,8 +110,8 @@ static scree_status go(const Way* way)
 {
 	OpenCl* d = way->d;
 	cl_event begin;
-	TRY(CALL(EnqueueBarrierWithWaitList, d->queue, 0, NULL, &begin));
-	scree_status status = CALL(Flush, d->queue);
+	TRY(CALL(d->failure, EnqueueBarrierWithWaitList, d->queue, 0, NULL, &begin));
+	scree_status status = CALL(d->failure, Flush, d->queue);
 	// iteration k sends part k, and copies the results of part k - DEPTH
 	for (int k = 0; k < way->parts + DEPTH && status == SCREE_OK; ++k)
 	{
@@ -130,7 +130,7 @@ static scree_status go(const Way* way)
 		if (k < way->parts)
 			status = enqueue(way, k, begin);
 	}
-	opencl.ReleaseEvent(begin);
+	RELEASE(d->failure, Event, begin);
 	return status;
 }
 
@@ -138,8 +138,8 @@ static scree_status queue_open(OpenCl* d, cl_command_queue* queue)
 {
 	cl_int error = CL_SUCCESS;
 	if (!*queue)
-		*queue = opencl.CreateCommandQueue(d->context, d->device.id, 0, &error);
-	return opencl_check("clCreateCommandQueue", error);
+		CREATE(d->failure, *queue, error, CommandQueue, d->context, d->device.id, 0);
+	return context_check(d->failure, "clCreateCommandQueue", error);
 }
 
 scree_status opencl_batch(Backend* b, const Step* step, const Batch* batch)
@@ -162,17 +162,15 @@ scree_status opencl_batch(Backend* b, const Step* step, const Batch* batch)
 		d->staging.used = 0; // the uploads ended before the results arrived
 		return SCREE_OK;
 	}
-	// all transfers end before the blocks are used again
-	opencl.Finish(d->transfer.up);
-	opencl.Finish(d->queue);
-	opencl.Finish(d->transfer.down);
+	// all transfers end before the blocks are used again, unless the context has failed
+	cl_command_queue queues[] = {d->transfer.up, d->queue, d->transfer.down};
+	for (int k = 0; k < 3 && !context_failed(d->failure); ++k)
+		queue_finish(d, queues[k]);
 	return status;
 }
 
 void batch_close(OpenCl* d)
 {
-	if (d->transfer.up)
-		opencl.ReleaseCommandQueue(d->transfer.up);
-	if (d->transfer.down)
-		opencl.ReleaseCommandQueue(d->transfer.down);
+	RELEASE(d->failure, CommandQueue, d->transfer.up);
+	RELEASE(d->failure, CommandQueue, d->transfer.down);
 }

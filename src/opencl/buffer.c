@@ -4,23 +4,35 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
+// Returns the status of a call that allocates memory. CL_OUT_OF_RESOURCES is no lack of memory, because NVIDIA also
+// returns it for a context that is lost.
+static scree_status buffer_status(OpenCl* d, const char* function, size_t bytes, cl_int error)
+{
+	if (error == CL_MEM_OBJECT_ALLOCATION_FAILURE || error == CL_OUT_OF_HOST_MEMORY || error == CL_INVALID_BUFFER_SIZE)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s has no memory for a buffer of %zu bytes: %s: %s (%d)",
+		            d->device.about.name, bytes, function, opencl_error_name(error), (int)error);
+	return context_check(d->failure, function, error);
+}
+
 scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer)
 {
+	const char* function = "clCreateBuffer";
+	const cl_int zero = 0;
 	cl_int error;
-	*buffer = opencl.CreateBuffer(d->context, CL_MEM_READ_WRITE, bytes, NULL, &error);
-	if (error)
-		*buffer = NULL;
-	else
+	CREATE(d->failure, *buffer, error, Buffer, d->context, CL_MEM_READ_WRITE, bytes, NULL);
+	if (!error)
 	{
-		const cl_int zero = 0;
+		// drivers that allocate on first use fail in the fill
+		function = "clEnqueueFillBuffer";
 		error = opencl.EnqueueFillBuffer(d->queue, *buffer, &zero, sizeof zero, 0, bytes, 0, NULL, NULL);
 	}
-	// drivers that allocate on first use fail in the fill, each with a different error code
-	if (error == CL_MEM_OBJECT_ALLOCATION_FAILURE || error == CL_OUT_OF_RESOURCES || error == CL_OUT_OF_HOST_MEMORY ||
-	    error == CL_INVALID_BUFFER_SIZE)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s has no room for a buffer of %zu bytes: %s (%d).",
-		            d->device.about.name, bytes, opencl_error_name(error), (int)error);
-	return opencl_check("clCreateBuffer", error);
+	if (error)
+	{
+		context_note(d->failure, error);
+		RELEASE(d->failure, MemObject, *buffer);
+		*buffer = NULL;
+	}
+	return buffer_status(d, function, bytes, error);
 }
 
 scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes)
@@ -29,7 +41,7 @@ scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes)
 		return SCREE_OK;
 	TRY(finish(d));
 	d->backend->bytes -= scratch->bytes;
-	scratch_release(scratch);
+	scratch_release(d, scratch);
 	bytes = (bytes + bytes / 8 + 15) / 16 * 16;
 	TRY(buffer_create(d, bytes, &scratch->buffer));
 	scratch->bytes = bytes;
@@ -37,10 +49,9 @@ scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes)
 	return SCREE_OK;
 }
 
-void scratch_release(Scratch* scratch)
+void scratch_release(OpenCl* d, Scratch* scratch)
 {
-	if (scratch->buffer)
-		opencl.ReleaseMemObject(scratch->buffer);
+	RELEASE(d->failure, MemObject, scratch->buffer);
 	*scratch = (Scratch){0};
 }
 
@@ -50,7 +61,7 @@ scree_status scratch_drop(OpenCl* d, Scratch* const* scratch, int count)
 	for (int k = 0; k < count; ++k)
 	{
 		d->backend->bytes -= scratch[k]->bytes;
-		scratch_release(scratch[k]);
+		scratch_release(d, scratch[k]);
 	}
 	return SCREE_OK;
 }
@@ -59,20 +70,23 @@ scree_status pinned_open(OpenCl* d, size_t bytes, Pinned* pinned)
 {
 	cl_int error;
 	cl_mem_flags flags = CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR;
-	pinned->buffer = opencl.CreateBuffer(d->context, flags, bytes, NULL, &error);
-	TRY(opencl_check("clCreateBuffer", error));
-	pinned->memory = opencl.EnqueueMapBuffer(d->queue, pinned->buffer, CL_TRUE, CL_MAP_READ | CL_MAP_WRITE, 0, bytes, 0,
-	                                         NULL, NULL, &error);
-	return opencl_check("clEnqueueMapBuffer", error);
+	cl_event event;
+	CREATE(d->failure, pinned->buffer, error, Buffer, d->context, flags, bytes, NULL);
+	TRY(buffer_status(d, "clCreateBuffer", bytes, error));
+	void* memory = opencl.EnqueueMapBuffer(d->queue, pinned->buffer, CL_FALSE, CL_MAP_READ | CL_MAP_WRITE, 0, bytes, 0,
+	                                       NULL, &event, &error);
+	TRY(buffer_status(d, "clEnqueueMapBuffer", bytes, error));
+	pinned->memory = memory;
+	return queue_wait(d, d->queue, &event);
 }
 
 void pinned_close(OpenCl* d, Pinned* pinned)
 {
 	if (pinned->memory)
 	{
-		opencl.EnqueueUnmapMemObject(d->queue, pinned->buffer, pinned->memory, 0, NULL, NULL);
-		opencl.Finish(d->queue);
+		// errors are ignored, because the world is being destroyed
+		CALL(d->failure, EnqueueUnmapMemObject, d->queue, pinned->buffer, pinned->memory, 0, NULL, NULL);
+		finish(d);
 	}
-	if (pinned->buffer)
-		opencl.ReleaseMemObject(pinned->buffer);
+	RELEASE(d->failure, MemObject, pinned->buffer);
 }

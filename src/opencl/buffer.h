@@ -9,7 +9,7 @@ scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
 
 // Grows a scratch buffer to at least `bytes`, and updates Backend.bytes. A buffer that grows is filled with zeros.
 scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes);
-void scratch_release(Scratch* scratch);
+void scratch_release(OpenCl* d, Scratch* scratch);
 // Waits for the queue, releases `count` scratch buffers and subtracts their sizes from Backend.bytes.
 scree_status scratch_drop(OpenCl* d, Scratch* const* scratch, int count);
 

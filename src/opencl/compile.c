@@ -25,33 +25,41 @@ Digest program_key(const Device* device, const char* more, const char* text, siz
 	return key;
 }
 
-static cl_program from_cache(cl_context context, const Device* device, const char* options, Digest key)
+static cl_program from_cache(ContextFailure* failure, cl_context context, const Device* device, const char* options,
+                             Digest key)
 {
 	size_t count;
 	unsigned char* bytes = cache_read(key, &count);
 	if (!bytes)
 		return NULL;
 	cl_int binary_error = CL_SUCCESS, error;
-	cl_program program = opencl.CreateProgramWithBinary(context, 1, &device->id, &count, (const unsigned char**)&bytes,
-	                                                    &binary_error, &error);
+	cl_program program;
+	CREATE(failure, program, error, ProgramWithBinary, context, 1, &device->id, &count, (const unsigned char**)&bytes,
+	       &binary_error);
 	if (!error && !binary_error)
 		error = opencl.BuildProgram(program, 1, &device->id, options, NULL, NULL);
+	context_note(failure, error);
 	scree_release(bytes);
 	if (!error && !binary_error)
 		return program;
-	log_sentence(SCREE_LOG_INFO, "%s rejects its cached program; it is built again.", device->about.name);
-	if (program)
-		opencl.ReleaseProgram(program);
+	log_sentence(SCREE_LOG_INFO, "%s rejects its cached program: %s (%d)", device->about.name,
+	             opencl_error_name(error ? error : binary_error), (int)(error ? error : binary_error));
+	RELEASE(failure, Program, program);
 	return NULL;
 }
 
-static void to_cache(cl_program program, Digest key)
+static void to_cache(ContextFailure* failure, cl_program program, Digest key)
 {
 	size_t count = 0;
-	if (opencl.GetProgramInfo(program, CL_PROGRAM_BINARY_SIZES, sizeof count, &count, NULL) || count == 0)
-		return;
-	unsigned char* bytes = scree_allocate(count);
-	if (bytes && !opencl.GetProgramInfo(program, CL_PROGRAM_BINARIES, sizeof bytes, &bytes, NULL))
+	unsigned char* bytes = NULL;
+	scree_status status = CALL(failure, GetProgramInfo, program, CL_PROGRAM_BINARY_SIZES, sizeof count, &count, NULL);
+	if (status == SCREE_OK && count > 0)
+		bytes = scree_allocate(count);
+	if (bytes)
+		status = CALL(failure, GetProgramInfo, program, CL_PROGRAM_BINARIES, sizeof bytes, &bytes, NULL);
+	if (status != SCREE_OK)
+		log_sentence(SCREE_LOG_INFO, "A program is not stored in the cache: %s", scree_error());
+	else if (bytes)
 		cache_write(key, bytes, count);
 	scree_release(bytes);
 }
@@ -74,32 +82,33 @@ static void log_messages(cl_program program, cl_device_id device)
 	scree_release(text);
 }
 
-scree_status program_build(cl_context context, const Device* device, const char* more, const char* text, size_t length,
-                           cl_program* program)
+scree_status program_build(ContextFailure* failure, cl_context context, const Device* device, const char* more,
+                           const char* text, size_t length, cl_program* program)
 {
 	char options[OPTION_BYTES];
 	all_options(device, more, options);
 	Digest key = program_key(device, more, text, length);
 	*program = NULL;
 	if (!device->compiles_at_launch)
-		*program = from_cache(context, device, options, key);
+		*program = from_cache(failure, context, device, options, key);
 	if (*program)
 		return SCREE_OK;
 
 	cl_int error;
-	*program = opencl.CreateProgramWithSource(context, 1, &text, &length, &error);
-	TRY(opencl_check("clCreateProgramWithSource", error));
+	CREATE(failure, *program, error, ProgramWithSource, context, 1, &text, &length);
+	TRY(context_check(failure, "clCreateProgramWithSource", error));
 	error = opencl.BuildProgram(*program, 1, &device->id, options, NULL, NULL);
 	if (error)
 	{
-		log_messages(*program, device->id);
-		opencl.ReleaseProgram(*program);
+		if (!context_note(failure, error))
+			log_messages(*program, device->id);
+		RELEASE(failure, Program, *program);
 		*program = NULL;
 		return fail(SCREE_ERROR_DEVICE_FAILED,
 		            "The stages do not build on %s: clBuildProgram: %s (%d); the log has the messages.",
 		            device->about.name, opencl_error_name(error), (int)error);
 	}
 	if (!device->compiles_at_launch)
-		to_cache(*program, key);
+		to_cache(failure, *program, key);
 	return SCREE_OK;
 }

@@ -2,7 +2,8 @@
 // context.c -- opens OpenCL contexts and builds programs in them; the worlds of a process share contexts and programs.
 //
 // PoCL builds a program in 0.2 s, so a context on a CPU is kept until the process ends. A context on a GPU is released
-// with its last world, to free memory. After an OpenCL failure, contexts may be lost, so new worlds get new contexts.
+// with its last world, to free memory. A context that has failed is abandoned with its last world; new worlds get a new
+// context.
 #include "opencl/context.h"
 #include "opencl/compile.h"
 #include "opencl/external_memory.h"
@@ -18,9 +19,9 @@ typedef struct
 	cl_program program;
 	cl_device_id device;
 	char options[PROGRAM_OPTIONS];
-	int worlds;   // number of worlds that use the context
-	int failures; // opencl_failures() when the context was created
-	bool stays;   // true: the context is kept when no world uses it
+	int worlds;             // number of worlds that use the context
+	bool stays;             // true: the context is kept when no world uses it
+	ContextFailure failure; // of these worlds, and of the context until no world uses it
 } SharedContext;
 
 extern const char opencl_program[]; // text of the program, written by cmake/embed.cmake
@@ -37,48 +38,28 @@ static void lock(void)
 
 static void unlock(void) { atomic_flag_clear(&locked); }
 
-static void release(SharedContext gone)
-{
-	opencl.ReleaseProgram(gone.program);
-	opencl.ReleaseContext(gone.context);
-}
-
-// Removes a context from the list. The caller releases it after unlock(), because the release may take long.
-static SharedContext pull(SharedContext* shared)
-{
-	SharedContext gone = *shared;
-	*shared = (SharedContext){0};
-	return gone;
-}
-
 static bool take(OpenCl* d, const char* options)
 {
-	SharedContext gone[SHARED_CONTEXTS];
-	int gone_count = 0;
 	bool taken = false;
 	lock();
-	for (int k = 0; k < SHARED_CONTEXTS; ++k)
+	for (int k = 0; k < SHARED_CONTEXTS && !taken; ++k)
 	{
 		SharedContext* shared = contexts + k;
-		bool lost = shared->failures != opencl_failures();
-		if (shared->context && lost && shared->worlds == 0)
-			gone[gone_count++] = pull(shared);
-		if (taken || !shared->context || lost || shared->device != d->device.id ||
+		if (!shared->context || context_failed(&shared->failure) || shared->device != d->device.id ||
 		    strcmp(shared->options, options) != 0)
 			continue;
 		++shared->worlds;
 		d->context = shared->context;
 		d->program = shared->program;
+		d->failure = &shared->failure;
 		d->shared_context = 1 + k;
 		taken = true;
 	}
 	unlock();
-	while (gone_count > 0)
-		release(gone[--gone_count]);
 	return taken;
 }
 
-static void offer(OpenCl* d, const char* options, int failures)
+static void offer(OpenCl* d, const char* options)
 {
 	lock();
 	for (int k = 0; k < SHARED_CONTEXTS && d->shared_context == 0; ++k)
@@ -90,9 +71,9 @@ static void offer(OpenCl* d, const char* options, int failures)
 		                          .program = d->program,
 		                          .device = d->device.id,
 		                          .worlds = 1,
-		                          .failures = failures,
 		                          .stays = d->device.type & CL_DEVICE_TYPE_CPU};
 		memcpy(shared->options, options, strlen(options) + 1);
+		d->failure = &shared->failure;
 		d->shared_context = 1 + k;
 	}
 	unlock();
@@ -104,11 +85,10 @@ scree_status context_open(OpenCl* d, const char* options, const scree_opengl* op
 	d->backend->sharing = d->device.shares_memory ? SCREE_SHARING_MEMORY : SCREE_SHARING_COPIED;
 	if (!opengl && take(d, options))
 		return SCREE_OK;
-	int failures = opencl_failures();
 	TRY(share_open_context(d, opengl));
-	TRY(program_build(d->context, &d->device, options, opencl_program, opencl_program_length, &d->program));
+	TRY(program_build(d->failure, d->context, &d->device, options, opencl_program, opencl_program_length, &d->program));
 	if (!opengl)
-		offer(d, options, failures);
+		offer(d, options);
 	return SCREE_OK;
 }
 
@@ -116,18 +96,18 @@ void context_close(OpenCl* d)
 {
 	if (d->shared_context > 0)
 	{
-		SharedContext gone = {0};
 		lock();
 		SharedContext* shared = contexts + d->shared_context - 1;
-		if (--shared->worlds == 0 && (!shared->stays || shared->failures != opencl_failures()))
-			gone = pull(shared);
+		bool failed = context_failed(&shared->failure), last = --shared->worlds == 0 && (!shared->stays || failed);
+		if (last)
+			*shared = (SharedContext){0};
 		unlock();
-		if (gone.context)
-			release(gone);
-		return;
+		if (!last)
+			return;
+		// after unlock(), because the release may take long
+		atomic_store(&d->own_failure, failed);
+		d->failure = &d->own_failure;
 	}
-	if (d->program)
-		opencl.ReleaseProgram(d->program);
-	if (d->context)
-		opencl.ReleaseContext(d->context);
+	RELEASE(d->failure, Program, d->program);
+	RELEASE(d->failure, Context, d->context);
 }

@@ -10,8 +10,7 @@ void opencl_copy_release(Backend* b)
 	OpenCl* d = b->state;
 	for (int k = 0; k < 2; ++k)
 	{
-		if (d->copy.buffers[k])
-			opencl.ReleaseMemObject(d->copy.buffers[k]);
+		RELEASE(d->failure, MemObject, d->copy.buffers[k]);
 		d->copy.buffers[k] = NULL;
 	}
 }
@@ -32,7 +31,7 @@ scree_status opencl_copy(Backend* b, int times)
 {
 	OpenCl* d = b->state;
 	for (int k = 0; k < times; ++k)
-		TRY(CALL(EnqueueCopyBuffer, d->queue, d->copy.buffers[0], d->copy.buffers[1], 0, 0, d->copy.bytes, 0, NULL,
-		         NULL));
+		TRY(CALL(d->failure, EnqueueCopyBuffer, d->queue, d->copy.buffers[0], d->copy.buffers[1], 0, 0, d->copy.bytes,
+		         0, NULL, NULL));
 	return finish(d);
 }

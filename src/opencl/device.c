@@ -6,6 +6,7 @@
 #include "opencl/group_sizes.h"
 #include "platform/error.h"
 #include "platform/system.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -18,42 +19,49 @@
 #define ARGUMENT_BYTES (PER_COUNT * (sizeof(cl_mem) + sizeof(int)) + sizeof(Step) + sizeof(Run) + 64)
 _Static_assert(ARGUMENT_BYTES <= 1024, "the arguments of a kernel exceed the minimum of OpenCL 1.2");
 
-#define DEVICE_UUID 0x106a // a constant of cl_khr_device_uuid, which OpenCL 1.2 headers lack
+#define NO_PLATFORM (-1001) // CL_PLATFORM_NOT_FOUND_KHR of cl_khr_icd
+#define DEVICE_UUID 0x106a  // a constant of cl_khr_device_uuid, which OpenCL 1.2 headers lack
 
-static void platform_text(cl_platform_id platform, cl_platform_info what, char* text, size_t size)
+#define DEFAULT_TIMEOUT 10.0 // s: limit of a wait for a GPU; a spin-wait of its kernels ends after 2 s
+
+static _Thread_local char list_error[160]; // error of the last list of devices; empty: none
+
+static void note_error(Device* d, cl_int error) { d->error = d->error ? d->error : error; }
+
+static void platform_text(Device* d, cl_platform_info what, char* text, size_t size)
 {
 	char whole[1024] = "";
-	opencl.GetPlatformInfo(platform, what, sizeof whole, whole, NULL);
+	note_error(d, opencl.GetPlatformInfo(d->platform, what, sizeof whole, whole, NULL));
 	snprintf(text, size, "%.*s", (int)size - 1, whole);
 }
 
-static void device_text(cl_device_id device, cl_device_info what, char* text, size_t size)
+static void device_text(Device* d, cl_device_info what, char* text, size_t size)
 {
 	char whole[1024] = "";
-	opencl.GetDeviceInfo(device, what, sizeof whole, whole, NULL);
+	note_error(d, opencl.GetDeviceInfo(d->id, what, sizeof whole, whole, NULL));
 	const char* start = whole + strspn(whole, " ");
 	snprintf(text, size, "%.*s", (int)size - 1, start);
 }
 
-// Returns a number that describes a device, or 0 if the device does not support the query.
-static cl_ulong device_number(cl_device_id device, cl_device_info what)
+// Returns a number that describes a device, or 0 if the query fails.
+static cl_ulong device_number(Device* d, cl_device_info what)
 {
 	cl_ulong number = 0; // little-endian: a 32-bit answer fills the low half
-	opencl.GetDeviceInfo(device, what, sizeof number, &number, NULL);
+	note_error(d, opencl.GetDeviceInfo(d->id, what, sizeof number, &number, NULL));
 	return number;
 }
 
 static void find_sharing(Device* d)
 {
 	char extensions[8192] = "";
-	opencl.GetDeviceInfo(d->id, CL_DEVICE_EXTENSIONS, sizeof extensions, extensions, NULL);
+	note_error(d, opencl.GetDeviceInfo(d->id, CL_DEVICE_EXTENSIONS, sizeof extensions, extensions, NULL));
 	d->shares_opengl = strstr(extensions, "cl_khr_gl_sharing");
 	d->shares_memory = strstr(extensions, "cl_khr_external_memory_opaque_fd");
 	d->about.sharing = d->shares_opengl   ? SCREE_SHARING_OPENGL
 	                   : d->shares_memory ? SCREE_SHARING_MEMORY
 	                                      : SCREE_SHARING_COPIED;
 	if (strstr(extensions, "cl_khr_device_uuid"))
-		opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL);
+		note_error(d, opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL));
 }
 
 bool device_own_rounding(const Device* device)
@@ -69,33 +77,47 @@ static void check_support(Device* d)
 	char* reason = d->about.reason;
 	size_t size = sizeof d->about.reason;
 	char version[128];
-	device_text(d->id, CL_DEVICE_VERSION, version, sizeof version);
+	device_text(d, CL_DEVICE_VERSION, version, sizeof version);
 	int major = 0, minor = 0;
 	sscanf(version, "OpenCL %d.%d", &major, &minor);
-	size_t most = (size_t)device_number(d->id, CL_DEVICE_MAX_PARAMETER_SIZE);
-	d->local_memory = (size_t)device_number(d->id, CL_DEVICE_LOCAL_MEM_SIZE);
-	cl_ulong floats = device_number(d->id, CL_DEVICE_SINGLE_FP_CONFIG);
+	size_t most = (size_t)device_number(d, CL_DEVICE_MAX_PARAMETER_SIZE);
+	d->local_memory = (size_t)device_number(d, CL_DEVICE_LOCAL_MEM_SIZE);
+	cl_ulong floats = device_number(d, CL_DEVICE_SINGLE_FP_CONFIG);
 	d->correct_division = floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
 	d->own_rounding = device_own_rounding(d);
 
 	d->usable = false;
-	if (major * 10 + minor < 12)
+	bool available = device_number(d, CL_DEVICE_AVAILABLE), compiler = device_number(d, CL_DEVICE_COMPILER_AVAILABLE);
+	bool little = device_number(d, CL_DEVICE_ENDIAN_LITTLE);
+	size_t group = (size_t)device_number(d, CL_DEVICE_MAX_WORK_GROUP_SIZE);
+	if (d->error)
+		snprintf(reason, size, "its driver does not describe it: clGetDeviceInfo: %s (%d)", opencl_error_name(d->error),
+		         (int)d->error);
+	else if (major * 10 + minor < 12)
 		snprintf(reason, size, "it offers only %.40s; Scree needs OpenCL 1.2", version);
-	else if (!device_number(d->id, CL_DEVICE_AVAILABLE))
+	else if (!available)
 		snprintf(reason, size, "its driver says that it is not available");
-	else if (!device_number(d->id, CL_DEVICE_COMPILER_AVAILABLE))
+	else if (!compiler)
 		snprintf(reason, size, "its driver has no compiler");
-	else if (!device_number(d->id, CL_DEVICE_ENDIAN_LITTLE))
+	else if (!little)
 		snprintf(reason, size, "it is big-endian");
 	else if (most < ARGUMENT_BYTES)
 		snprintf(reason, size, "it takes %zu bytes of kernel arguments; Scree needs %zu", most, ARGUMENT_BYTES);
 	else if (d->local_memory < LOCAL_LEAST)
 		snprintf(reason, size, "it has %zu bytes of local memory; Scree needs %d", d->local_memory, LOCAL_LEAST);
-	else if (device_number(d->id, CL_DEVICE_MAX_WORK_GROUP_SIZE) < PRIMITIVE_GROUP)
+	else if (group < PRIMITIVE_GROUP)
 		snprintf(reason, size, "its work-groups hold fewer than %d items", PRIMITIVE_GROUP);
 	else
 		d->usable = true;
 	d->about.equal_bits = d->usable;
+}
+
+double device_wait_limit(const Device* device, const BackendOptions* options)
+{
+	if (options->device_timeout > 0.0f)
+		return (double)options->device_timeout;
+	// a CPU is never lost, and compiles kernels at their first launch, which may take minutes
+	return device->type & CL_DEVICE_TYPE_CPU ? INFINITY : DEFAULT_TIMEOUT;
 }
 
 void device_judge(Device* device, const Verdict* verdict)
@@ -127,35 +149,45 @@ static void describe(cl_platform_id platform, cl_device_id id, Device* d)
 {
 	*d = (Device){.platform = platform, .id = id};
 	char name[120], version[128], driver[128], platform_version[128];
-	device_text(id, CL_DEVICE_NAME, name, sizeof name);
-	device_text(id, CL_DEVICE_VERSION, version, sizeof version);
-	device_text(id, CL_DRIVER_VERSION, driver, sizeof driver);
-	platform_text(platform, CL_PLATFORM_NAME, d->platform_name, sizeof d->platform_name);
-	platform_text(platform, CL_PLATFORM_VERSION, platform_version, sizeof platform_version);
+	device_text(d, CL_DEVICE_NAME, name, sizeof name);
+	device_text(d, CL_DEVICE_VERSION, version, sizeof version);
+	device_text(d, CL_DRIVER_VERSION, driver, sizeof driver);
+	platform_text(d, CL_PLATFORM_NAME, d->platform_name, sizeof d->platform_name);
+	platform_text(d, CL_PLATFORM_VERSION, platform_version, sizeof platform_version);
 	snprintf(d->about.name, sizeof d->about.name, "opencl:%s", name);
 	snprintf(d->about.driver, sizeof d->about.driver, "%.60s, driver %.50s", d->platform_name, driver);
 	snprintf(d->identity, sizeof d->identity, "%s|%s|%s|%s|%s", d->platform_name, platform_version, name, version,
 	         driver);
-	d->type = device_number(id, CL_DEVICE_TYPE);
+	d->type = device_number(d, CL_DEVICE_TYPE);
 	d->compiles_at_launch = strcmp(d->platform_name, "Portable Computing Language") == 0;
-	d->about.compute_units = (int)device_number(id, CL_DEVICE_MAX_COMPUTE_UNITS);
-	d->about.memory = device_number(id, CL_DEVICE_GLOBAL_MEM_SIZE);
+	d->about.compute_units = (int)device_number(d, CL_DEVICE_MAX_COMPUTE_UNITS);
+	d->about.memory = device_number(d, CL_DEVICE_GLOBAL_MEM_SIZE);
 	find_sharing(d);
 	check_support(d);
+}
+
+// Returns whether a list of platforms or devices was read. Writes an error other than an empty list to list_error.
+static bool lists(const char* function, cl_int error)
+{
+	if (error && error != CL_DEVICE_NOT_FOUND && error != NO_PLATFORM)
+		snprintf(list_error, sizeof list_error, "OpenCL lists no device: %s: %s (%d)", function,
+		         opencl_error_name(error), (int)error);
+	return error == CL_SUCCESS;
 }
 
 static int list(Device* devices, int capacity)
 {
 	cl_platform_id platforms[MAX_PLATFORMS];
 	cl_uint platform_count = 0;
-	if (!opencl_load() || opencl.GetPlatformIDs(MAX_PLATFORMS, platforms, &platform_count))
+	if (!opencl_load() || !lists("clGetPlatformIDs", opencl.GetPlatformIDs(MAX_PLATFORMS, platforms, &platform_count)))
 		return 0;
 	int count = 0;
 	for (cl_uint p = 0; p < platform_count && p < MAX_PLATFORMS; ++p)
 	{
 		cl_device_id ids[MAX_DEVICES];
 		cl_uint id_count = 0;
-		if (opencl.GetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, MAX_DEVICES, ids, &id_count))
+		if (!lists("clGetDeviceIDs",
+		           opencl.GetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, MAX_DEVICES, ids, &id_count)))
 			continue;
 		for (cl_uint i = 0; i < id_count && i < MAX_DEVICES; ++i, ++count)
 		{
@@ -171,6 +203,7 @@ int device_list(Device* devices, int capacity)
 	// worlds in two threads may list devices at once, and PoCL 3.1 crashes if its first queries come from two threads
 	static Mutex mutex = MUTEX_OPEN;
 	mutex_lock(&mutex);
+	list_error[0] = '\0';
 	int count = list(devices, capacity);
 	mutex_unlock(&mutex);
 	// without the lock, because the log of a damaged verdict may call the library
@@ -246,7 +279,9 @@ const char* opencl_hint(void)
 		return "There is no OpenCL on this machine: install ocl-icd-libopencl1 and, for the CPU, pocl-opencl-icd "
 		       "(Debian, Ubuntu), or the GPU vendor's driver.";
 	if (device_list(NULL, 0) == 0)
-		return "OpenCL is installed but has no device: install pocl-opencl-icd (Debian, Ubuntu) for the CPU, or the "
-		       "GPU vendor's driver.";
+		return list_error[0] ? list_error
+		                     : "OpenCL is installed but has no device: install pocl-opencl-icd (Debian, Ubuntu) for "
+		                       "the CPU, or the "
+		                       "GPU vendor's driver.";
 	return "";
 }

@@ -16,6 +16,7 @@ typedef struct
 	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; imports memory by file descriptor
 	bool compiles_at_launch; // true for PoCL, which has its own cache: programs are not stored in that of cache.c
 	size_t local_memory;     // bytes per work-group
+	cl_int error;            // code of the first query of the device that failed; CL_SUCCESS: none
 	bool usable;             // false: Scree cannot use the device with any option; about.reason states the reason
 	Digest verdict_key;      // key of the verdict on the device (verdict.h)
 	char platform_name[128];
@@ -29,6 +30,9 @@ int device_list(Device* devices, int capacity);
 // Returns whether a device without a verdict is tested with own rounding: it does not report correct rounding, or a
 // test has chosen own rounding.
 bool device_own_rounding(const Device* device);
+
+// s: Returns the limit of a wait for a command of the device, or INFINITY (scree_world_def.device_timeout).
+double device_wait_limit(const Device* device, const BackendOptions* options);
 
 // Sets the members of a device that follow from the verdict on it.
 void device_judge(Device* device, const Verdict* verdict);

@@ -29,5 +29,5 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 		TRY(length ? persistent_run(d, runs + i, length) : one_run(d, runs + i));
 		i += length ? length : 1;
 	}
-	return CALL(Flush, d->queue);
+	return CALL(d->failure, Flush, d->queue);
 }

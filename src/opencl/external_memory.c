@@ -54,14 +54,15 @@ scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory)
 			                            : extension.release);
 		cl_int error = CL_SUCCESS;
 		made.memory = import(d, create, memory, &error);
+		if (context_note(d->failure, error))
+			return context_check(d->failure, extension.create, error);
 		if (error)
 			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s cannot import the shared memory: %s says %s (%d).", b->name,
 			            extension.create, opencl_error_name(error), (int)error);
 	}
 	scree_status status = finish(d);
 	cl_mem left = status == SCREE_OK ? d->shared[use].memory : made.memory;
-	if (left)
-		opencl.ReleaseMemObject(left);
+	RELEASE(d->failure, MemObject, left);
 	if (status == SCREE_OK)
 		d->shared[use] = made;
 	return status;
@@ -69,12 +70,16 @@ scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory)
 
 static scree_status acquire(OpenCl* d, const Shared* shared)
 {
-	return opencl_check("acquire of shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL));
+	return context_check(d->failure, "acquire of shared memory",
+	                     context_failed(d->failure) ? context_error(d->failure)
+	                                                : shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL));
 }
 
 static scree_status release(OpenCl* d, const Shared* shared)
 {
-	return opencl_check("release of shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL));
+	return context_check(d->failure, "release of shared memory",
+	                     context_failed(d->failure) ? context_error(d->failure)
+	                                                : shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL));
 }
 
 scree_status opencl_render(Backend* b, const Run* run)
@@ -83,7 +88,8 @@ scree_status opencl_render(Backend* b, const Run* run)
 	const Shared* shared = &d->shared[SHARED_ROWS];
 	const Kernel* kernel = &d->kernels[run->kernel_id];
 	TRY(acquire(d, shared));
-	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[PER_RENDER_ROW], sizeof(cl_mem), &shared->memory));
+	TRY(CALL(d->failure, SetKernelArg, kernel->kernel, (cl_uint)d->argument[PER_RENDER_ROW], sizeof(cl_mem),
+	         &shared->memory));
 	TRY(kernel_run(d, run));
 	TRY(kernel_bind(d, PER_RENDER_ROW, kernel));
 	TRY(release(d, shared));
@@ -95,8 +101,8 @@ scree_status opencl_download(Backend* b, PoolId pool, int count, size_t offset)
 	OpenCl* d = b->state;
 	const Shared* shared = &d->shared[SHARED_QUERIES];
 	TRY(acquire(d, shared));
-	TRY(CALL(EnqueueCopyBuffer, d->queue, shared->memory, pool_buffer(d, pool), offset, pool_offset(d, pool),
-	         pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
+	TRY(CALL(d->failure, EnqueueCopyBuffer, d->queue, shared->memory, pool_buffer(d, pool), offset,
+	         pool_offset(d, pool), pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
 	return release(d, shared);
 }
 
@@ -105,8 +111,8 @@ scree_status opencl_upload(Backend* b, PoolId pool, int count, size_t offset)
 	OpenCl* d = b->state;
 	const Shared* shared = &d->shared[SHARED_QUERIES];
 	TRY(acquire(d, shared));
-	TRY(CALL(EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), shared->memory, pool_offset(d, pool), offset,
-	         pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
+	TRY(CALL(d->failure, EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), shared->memory, pool_offset(d, pool),
+	         offset, pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
 	TRY(release(d, shared));
 	return finish(d);
 }
@@ -114,8 +120,7 @@ scree_status opencl_upload(Backend* b, PoolId pool, int count, size_t offset)
 void shared_close(OpenCl* d)
 {
 	for (int use = 0; use < SHARED_USES; ++use)
-		if (d->shared[use].memory)
-			opencl.ReleaseMemObject(d->shared[use].memory);
+		RELEASE(d->failure, MemObject, d->shared[use].memory);
 }
 
 scree_status share_open_context(OpenCl* d, const scree_opengl* opengl)
@@ -134,13 +139,13 @@ scree_status share_open_context(OpenCl* d, const scree_opengl* opengl)
 		                                  plain[0],
 		                                  plain[1],
 		                                  0};
-		d->context = opencl.CreateContext(shared, 1, &d->device.id, NULL, NULL, &error);
+		CREATE(d->failure, d->context, error, Context, shared, 1, &d->device.id, NULL, NULL);
 		if (!error)
 		{
 			d->backend->sharing = SCREE_SHARING_OPENGL;
 			return SCREE_OK;
 		}
 	}
-	d->context = opencl.CreateContext(plain, 1, &d->device.id, NULL, NULL, &error);
-	return opencl_check("clCreateContext", error);
+	CREATE(d->failure, d->context, error, Context, plain, 1, &d->device.id, NULL, NULL);
+	return context_check(d->failure, "clCreateContext", error);
 }

@@ -46,7 +46,7 @@ static scree_status judge(const BackendOptions* options, OpenDevice* open, Devic
 	Verdict verdict;
 	double begin = processor_milliseconds(), spent;
 	device->own_rounding = device_own_rounding(device); // not that of an earlier verdict
-	TRY(arithmetic_test(device, &verdict));
+	TRY(arithmetic_test(device, device_wait_limit(device, options), &verdict));
 	spent = processor_milliseconds() - begin;
 	device->own_rounding = verdict.own_rounding;
 	if (verdict.equal || options->allow_unequal_bits)

@@ -11,16 +11,20 @@
 scree_status kernel_group_most(const OpenCl* d, cl_kernel kernel, size_t* most)
 {
 	*most = 0;
-	return CALL(GetKernelWorkGroupInfo, kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof *most, most, NULL);
+	return CALL(d->failure, GetKernelWorkGroupInfo, kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof *most, most,
+	            NULL);
 }
 
 static scree_status create(OpenCl* d, const char* name, cl_kernel* kernel)
 {
 	cl_int error;
-	*kernel = opencl.CreateKernel(d->program, name, &error);
+	CREATE(d->failure, *kernel, error, Kernel, d->program, name);
 	if (error)
+	{
+		context_note(d->failure, error);
 		return fail(SCREE_ERROR_DEVICE_FAILED, "clCreateKernel of %s: %s (%d)", name, opencl_error_name(error),
 		            (int)error);
+	}
 	return SCREE_OK;
 }
 
@@ -44,8 +48,8 @@ scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* 
 	if (most == 0)
 		return fail(SCREE_ERROR_NO_DEVICE, "Device %s is refused: it cannot run kernel %s.", d->device.about.name,
 		            name);
-	TRY(CALL(GetKernelWorkGroupInfo, kernel->kernel, d->device.id, CL_KERNEL_PREFERRED_WORK_GROUP_SIZE_MULTIPLE,
-	         sizeof multiple, &multiple, NULL));
+	TRY(CALL(d->failure, GetKernelWorkGroupInfo, kernel->kernel, d->device.id,
+	         CL_KERNEL_PREFERRED_WORK_GROUP_SIZE_MULTIPLE, sizeof multiple, &multiple, NULL));
 	kernel->group = most < largest ? most : largest;
 	if (multiple > 1 && kernel->group > multiple)
 		kernel->group -= kernel->group % multiple;
@@ -76,8 +80,8 @@ scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 		capacities.capacities[d->place[i]] = d->room[i];
 	}
 	Per home = d->home[per];
-	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[home], sizeof(cl_mem), &d->buffers[home]));
-	return CALL(SetKernelArg, kernel->kernel, ARGUMENT_CAPACITIES, sizeof capacities, &capacities);
+	TRY(CALL(d->failure, SetKernelArg, kernel->kernel, (cl_uint)d->argument[home], sizeof(cl_mem), &d->buffers[home]));
+	return CALL(d->failure, SetKernelArg, kernel->kernel, ARGUMENT_CAPACITIES, sizeof capacities, &capacities);
 }
 
 void step_set(OpenCl* d, const Step* step)
@@ -92,7 +96,7 @@ scree_status kernel_step(OpenCl* d, Kernel* kernel)
 {
 	if (kernel->version == d->constants.version)
 		return SCREE_OK;
-	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_STEP, sizeof d->constants.step, &d->constants.step));
+	TRY(CALL(d->failure, SetKernelArg, kernel->kernel, ARGUMENT_STEP, sizeof d->constants.step, &d->constants.step));
 	kernel->version = d->constants.version;
 	return SCREE_OK;
 }
@@ -119,7 +123,7 @@ scree_status kernel_run_within(OpenCl* d, const Run* run, size_t items_a_group, 
 	Kernel* kernel = kernel_function(d, run->kernel_id);
 	d->timing.stage = kernel_stages[run->kernel_id];
 	TRY(kernel_step(d, kernel));
-	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_FIRST, sizeof *run, run));
+	TRY(CALL(d->failure, SetKernelArg, kernel->kernel, ARGUMENT_FIRST, sizeof *run, run));
 	size_t items = (size_t)(run->end - run->begin);
 	size_t groups = (items + items_a_group - 1) / items_a_group;
 	size_t most = (size_t)d->device.about.compute_units * groups_a_unit;

@@ -134,19 +134,11 @@ const char* opencl_error_name(cl_int code)
 		X(CL_INVALID_OPERATION)
 		X(CL_INVALID_BUFFER_SIZE)
 		X(CL_INVALID_GLOBAL_WORK_SIZE)
+		X(CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST)
 	}
 #undef X
-	return code == -1001 ? "CL_PLATFORM_NOT_FOUND_KHR" : code == -9999 ? "bad memory access (NVIDIA)" : "unknown error";
-}
-
-static atomic_int failures;
-
-int opencl_failures(void) { return atomic_load(&failures); }
-
-scree_status opencl_check(const char* function, cl_int code)
-{
-	if (code == CL_SUCCESS)
-		return SCREE_OK;
-	atomic_fetch_add(&failures, 1);
-	return fail(SCREE_ERROR_DEVICE_FAILED, "%s: %s (%d)", function, opencl_error_name(code), (int)code);
+	return code == NO_ANSWER ? "no answer in time"
+	       : code == -1001   ? "CL_PLATFORM_NOT_FOUND_KHR"
+	       : code == -9999   ? "bad memory access (NVIDIA)"
+	                         : "unknown error";
 }

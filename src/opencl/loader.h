@@ -58,6 +58,9 @@ typedef struct
 } OpenClFunctions;
 extern OpenClFunctions opencl; // filled by opencl_load
 
+// Code of a command that did not end within the limit of wait_for (context_failure.h); OpenCL has no code for it.
+#define NO_ANSWER (-9998)
+
 // Opens the library, once per process, from any thread. Returns false if it does not exist or lacks a function.
 bool opencl_load(void);
 
@@ -66,14 +69,5 @@ void* opencl_find(cl_platform_id platform, const char* name);
 
 // Returns the name of an error code, such as "CL_OUT_OF_RESOURCES", or "unknown error".
 const char* opencl_error_name(cl_int code);
-
-// Returns the number of OpenCL calls that have failed in this process.
-int opencl_failures(void);
-
-// Returns SCREE_OK for CL_SUCCESS; otherwise fails with a message such as "clName: CL_OUT_OF_RESOURCES (-5)".
-scree_status opencl_check(const char* function, cl_int code);
-
-// Calls an OpenCL function that returns an error code, and checks this code.
-#define CALL(name, ...) opencl_check("cl" #name, opencl.name(__VA_ARGS__))
 
 #endif

@@ -36,13 +36,10 @@ static void opencl_close(Backend* b)
 		persistent_close(d);
 		primitives_close(d);
 		for (int i = 0; i < KERNEL_COUNT; ++i)
-			if (d->kernels[i].kernel)
-				opencl.ReleaseKernel(d->kernels[i].kernel);
+			RELEASE(d->failure, Kernel, d->kernels[i].kernel);
 		for (int i = 0; i < PLAIN_KERNELS; ++i)
-			if (d->plain[i].kernel)
-				opencl.ReleaseKernel(d->plain[i].kernel);
-		if (d->solve_end.kernel)
-			opencl.ReleaseKernel(d->solve_end.kernel);
+			RELEASE(d->failure, Kernel, d->plain[i].kernel);
+		RELEASE(d->failure, Kernel, d->solve_end.kernel);
 		read_close(d);
 		batch_close(d);
 		transfer_close(d);
@@ -50,10 +47,8 @@ static void opencl_close(Backend* b)
 		shared_close(d);
 		opencl_copy_release(b);
 		for (int i = 0; i < PER_COUNT; ++i)
-			if (d->buffers[i])
-				opencl.ReleaseMemObject(d->buffers[i]);
-		if (d->queue)
-			opencl.ReleaseCommandQueue(d->queue);
+			RELEASE(d->failure, MemObject, d->buffers[i]);
+		RELEASE(d->failure, CommandQueue, d->queue);
 		context_close(d);
 		scree_release(d->timing.laps);
 		scree_release(d);
@@ -80,7 +75,7 @@ static scree_status pool_copy(OpenCl* d, PoolId pool, const Plan* plan, cl_mem c
 {
 	Per per = pool_info[pool].per;
 	int items = plan->room[per] < d->room[per] ? plan->room[per] : d->room[per];
-	return CALL(EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), copied, pool_offset(d, pool),
+	return CALL(d->failure, EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), copied, pool_offset(d, pool),
 	            plan->begin[per] + d->before[pool] * (size_t)plan->room[per], pool_info[pool].bytes * (size_t)items, 0,
 	            NULL, NULL);
 }
@@ -103,8 +98,7 @@ static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 		memcpy(d->begin, plan->begin, sizeof d->begin);
 		memcpy(d->room, plan->room, sizeof d->room);
 	}
-	if (dropped)
-		opencl.ReleaseMemObject(dropped);
+	RELEASE(d->failure, MemObject, dropped);
 	return status;
 }
 
@@ -226,7 +220,7 @@ static scree_status opencl_clear(Backend* b, PoolId pool, int first, int count)
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	return CALL(EnqueueFillBuffer, d->queue, pool_buffer(d, pool), &zero, sizeof zero,
+	return CALL(d->failure, EnqueueFillBuffer, d->queue, pool_buffer(d, pool), &zero, sizeof zero,
 	            pool_offset(d, pool) + bytes * (size_t)first, bytes * (size_t)count, 0, NULL, NULL);
 }
 
@@ -263,6 +257,8 @@ static scree_status open_device(Backend* b, const BackendOptions* options, const
 	if (!d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
+	d->failure = &d->own_failure;
+	d->wait_limit = device_wait_limit(device, options);
 	d->constants.version = 1; // version 0 of new kernels differs from this, so their first launch sets the step
 	d->device = *device;
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
@@ -286,9 +282,9 @@ static scree_status open_device(Backend* b, const BackendOptions* options, const
 	         arithmetic);
 	TRY(context_open(d, program_options, options->opengl));
 	cl_int error;
-	d->queue =
-	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
-	TRY(opencl_check("clCreateCommandQueue", error));
+	CREATE(d->failure, d->queue, error, CommandQueue, d->context, d->device.id,
+	       options->timings ? CL_QUEUE_PROFILING_ENABLE : 0);
+	TRY(context_check(d->failure, "clCreateCommandQueue", error));
 	TRY(read_open(d));
 	TRY(pinned_open(d, STAGING_BYTES, &d->staging.pinned));
 	if (options->timings)

@@ -4,6 +4,7 @@
 #define OPENCL_STATE_H
 #include "backend/solve_form.h"
 #include "constraints/schedule.h"
+#include "opencl/context_failure.h"
 #include "opencl/device.h"
 #include "opencl/group_sizes.h"
 #include "platform/threads.h"
@@ -160,8 +161,7 @@ typedef struct
 	bool stale;                 // true: constraints, bodies or leaves may have changed since the last build
 	bool pushed, pushed_before; // true: fields ran since the last solve with tiles; value of `pushed` at the last build
 	int rows;                   // number of tiles at the last build
-	cl_event edges_event;       // event of a read into `edges`; null if no read is in progress
-	cl_int edges[2];            // first place of the border, and one past the last; valid when edges_event is complete
+	cl_event edges_event;       // event of a read into read_edges(); null if no read is in progress
 	int border;                 // number of border constraints at the last build; -1 before the first read
 	int age;                    // number of solves without tiles since the last build
 } TileState;
@@ -182,8 +182,11 @@ typedef struct
 	Device device;
 	cl_context context;
 	cl_program program;
-	int shared_context;     // 1 + index of the context in the list of context.c; 0 if the context is not shared
-	cl_command_queue queue; // in-order queue
+	ContextFailure* failure;    // failure of the context, which its worlds share
+	ContextFailure own_failure; // the same, if the context is not shared
+	double wait_limit;          // s: limit of a wait for a command, or INFINITY
+	int shared_context;         // 1 + index of the context in the list of context.c; 0 if the context is not shared
+	cl_command_queue queue;     // in-order queue
 
 	// A buffer holds the pools of one or more kinds of item (pools/buffers.def); pools of a kind have equal capacities.
 	// Kernels take buffers and capacities in the order of the kinds in pools.def (cmake/embed.cmake).

@@ -4,6 +4,7 @@
 #include "opencl/buffer.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
+#include "opencl/readback.h"
 #include "platform/error.h"
 #include <string.h>
 
@@ -41,8 +42,8 @@ static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int gr
 		own->contact_report_count = count;
 	}
 	TRY(kernel_step(d, &own->kernel));
-	TRY(CALL(SetKernelArg, kernel, ARGUMENT_COUNT, sizeof count, &count));
-	TRY(CALL(SetKernelArg, kernel, ARGUMENT_SPINS, sizeof spins, &spins));
+	TRY(CALL(d->failure, SetKernelArg, kernel, ARGUMENT_COUNT, sizeof count, &count));
+	TRY(CALL(d->failure, SetKernelArg, kernel, ARGUMENT_SPINS, sizeof spins, &spins));
 	return launch(d, kernel, (size_t)groups * own->kernel.group, own->kernel.group);
 }
 
@@ -58,7 +59,7 @@ static scree_status probe(OpenCl* d, bool* works)
 	cl_int fault;
 	size_t at = pool_offset(d, POOL_counters) + offsetof(Counters, fault);
 	cl_mem counters = d->buffers[PER_ONE];
-	TRY(CALL(EnqueueReadBuffer, d->queue, counters, CL_TRUE, at, sizeof fault, &fault, 0, NULL, NULL));
+	TRY(read_now(d, counters, at, sizeof fault, &fault));
 	*works = fault == 0;
 	if (*works)
 		return SCREE_OK;
@@ -87,9 +88,10 @@ scree_status persistent_open(OpenCl* d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for the runs of an OpenCL device.");
 	TRY(buffer_create(d, PERSISTENT_HEADER * sizeof(cl_int) + PERSISTENT_GROUP * sizeof(Run), &own->list));
 	TRY(buffer_create(d, 2 * (size_t)own->groups * own->kernel.group * sizeof(cl_int), &own->probes));
-	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_LIST, sizeof own->list, &own->list));
-	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_TABLE, sizeof d->primitives.table, &d->primitives.table));
-	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_PROBES, sizeof own->probes, &own->probes));
+	TRY(CALL(d->failure, SetKernelArg, own->kernel.kernel, ARGUMENT_LIST, sizeof own->list, &own->list));
+	TRY(CALL(d->failure, SetKernelArg, own->kernel.kernel, ARGUMENT_TABLE, sizeof d->primitives.table,
+	         &d->primitives.table));
+	TRY(CALL(d->failure, SetKernelArg, own->kernel.kernel, ARGUMENT_PROBES, sizeof own->probes, &own->probes));
 
 	d->constants.version = 1; // kernels need a step as argument; its values do not matter for the probe
 	bool works;
@@ -102,12 +104,9 @@ scree_status persistent_open(OpenCl* d)
 void persistent_close(OpenCl* d)
 {
 	Persistent* own = &d->persistent;
-	if (own->kernel.kernel)
-		opencl.ReleaseKernel(own->kernel.kernel);
-	if (own->list)
-		opencl.ReleaseMemObject(own->list);
-	if (own->probes)
-		opencl.ReleaseMemObject(own->probes);
+	RELEASE(d->failure, Kernel, own->kernel.kernel);
+	RELEASE(d->failure, MemObject, own->list);
+	RELEASE(d->failure, MemObject, own->probes);
 	scree_release(own->listed);
 }
 

@@ -13,10 +13,10 @@ static size_t groups_for(int items, int grain, int most)
 	return (size_t)(groups < most ? groups : most);
 }
 
-static scree_status set_buffers(cl_kernel kernel, const cl_mem* buffers, cl_uint count)
+static scree_status set_buffers(OpenCl* d, cl_kernel kernel, const cl_mem* buffers, cl_uint count)
 {
 	for (cl_uint i = 0; i < count; ++i)
-		TRY(CALL(SetKernelArg, kernel, i, sizeof *buffers, &buffers[i]));
+		TRY(CALL(d->failure, SetKernelArg, kernel, i, sizeof *buffers, &buffers[i]));
 	return SCREE_OK;
 }
 
@@ -26,17 +26,17 @@ scree_status primitives_bind(OpenCl* d)
 	cl_kernel scans[] = {d->primitives.scan_sum, d->primitives.scan_place};
 	for (int i = 0; i < 2; ++i)
 	{
-		TRY(set_buffers(scans[i], (cl_mem[]){d->buffers[PER_CONTACT], d->buffers[PER_ONE], d->primitives.table}, 3));
-		TRY(CALL(SetKernelArg, scans[i], 4, sizeof scan, &scan));
+		TRY(set_buffers(d, scans[i], (cl_mem[]){d->buffers[PER_CONTACT], d->buffers[PER_ONE], d->primitives.table}, 3));
+		TRY(CALL(d->failure, SetKernelArg, scans[i], 4, sizeof scan, &scan));
 	}
 	cl_ulong from = pool_offset(d, POOL_key_other), to = pool_offset(d, POOL_key);
-	TRY(set_buffers(d->primitives.sort_count, (cl_mem[]){d->buffers[PER_KEY], d->buffers[PER_ONE], d->primitives.table},
-	                3));
-	TRY(set_buffers(d->primitives.sort_place, (cl_mem[]){d->buffers[PER_KEY], d->buffers[PER_ONE], d->primitives.table},
-	                3));
-	TRY(set_buffers(d->primitives.sort_return, (cl_mem[]){d->buffers[PER_KEY], d->buffers[PER_ONE]}, 2));
-	TRY(CALL(SetKernelArg, d->primitives.sort_return, 3, sizeof from, &from));
-	return CALL(SetKernelArg, d->primitives.sort_return, 4, sizeof to, &to);
+	TRY(set_buffers(d, d->primitives.sort_count,
+	                (cl_mem[]){d->buffers[PER_KEY], d->buffers[PER_ONE], d->primitives.table}, 3));
+	TRY(set_buffers(d, d->primitives.sort_place,
+	                (cl_mem[]){d->buffers[PER_KEY], d->buffers[PER_ONE], d->primitives.table}, 3));
+	TRY(set_buffers(d, d->primitives.sort_return, (cl_mem[]){d->buffers[PER_KEY], d->buffers[PER_ONE]}, 2));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_return, 3, sizeof from, &from));
+	return CALL(d->failure, SetKernelArg, d->primitives.sort_return, 4, sizeof to, &to);
 }
 
 scree_status primitives_open(OpenCl* d)
@@ -60,25 +60,23 @@ void primitives_close(OpenCl* d)
 	cl_kernel kernels[] = {d->primitives.sort_count, d->primitives.sort_place, d->primitives.sort_return,
 	                       d->primitives.scan_sum, d->primitives.scan_place};
 	for (size_t i = 0; i < sizeof kernels / sizeof *kernels; ++i)
-		if (kernels[i])
-			opencl.ReleaseKernel(kernels[i]);
-	if (d->primitives.table)
-		opencl.ReleaseMemObject(d->primitives.table);
+		RELEASE(d->failure, Kernel, kernels[i]);
+	RELEASE(d->failure, MemObject, d->primitives.table);
 }
 
 // Launches a pass of the sort by `bits` bits from `shift` on. from, to: byte offsets of source and destination.
 static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong to, cl_int shift, int bits)
 {
 	cl_uint mask = (1u << bits) - 1;
-	TRY(CALL(SetKernelArg, d->primitives.sort_count, 3, sizeof *run, run));
-	TRY(CALL(SetKernelArg, d->primitives.sort_count, 4, sizeof from, &from));
-	TRY(CALL(SetKernelArg, d->primitives.sort_count, 5, sizeof shift, &shift));
-	TRY(CALL(SetKernelArg, d->primitives.sort_count, 6, sizeof mask, &mask));
-	TRY(CALL(SetKernelArg, d->primitives.sort_place, 3, sizeof *run, run));
-	TRY(CALL(SetKernelArg, d->primitives.sort_place, 4, sizeof from, &from));
-	TRY(CALL(SetKernelArg, d->primitives.sort_place, 5, sizeof to, &to));
-	TRY(CALL(SetKernelArg, d->primitives.sort_place, 6, sizeof shift, &shift));
-	TRY(CALL(SetKernelArg, d->primitives.sort_place, 7, sizeof mask, &mask));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_count, 3, sizeof *run, run));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_count, 4, sizeof from, &from));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_count, 5, sizeof shift, &shift));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_count, 6, sizeof mask, &mask));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_place, 3, sizeof *run, run));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_place, 4, sizeof from, &from));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_place, 5, sizeof to, &to));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_place, 6, sizeof shift, &shift));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_place, 7, sizeof mask, &mask));
 	size_t items = PRIMITIVE_GROUP * groups_for(run->end, SORT_GRAIN, SORT_BLOCKS);
 	TRY(launch(d, d->primitives.sort_count, items, PRIMITIVE_GROUP));
 	return launch(d, d->primitives.sort_place, items, PRIMITIVE_GROUP);
@@ -101,7 +99,7 @@ static scree_status sort_run(OpenCl* d, const Run* run)
 		return SCREE_OK;
 
 	// after an odd number of passes the keys are in key_other; a copy takes less time than another pass
-	TRY(CALL(SetKernelArg, d->primitives.sort_return, 2, sizeof *run, run));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.sort_return, 2, sizeof *run, run));
 	return launch(d, d->primitives.sort_return,
 	              PRIMITIVE_GROUP * groups_for(run->end, PRIMITIVE_GROUP, 4 * SORT_BLOCKS), PRIMITIVE_GROUP);
 }
@@ -109,8 +107,8 @@ static scree_status sort_run(OpenCl* d, const Run* run)
 static scree_status scan_run(OpenCl* d, const Run* run)
 {
 	size_t items = PRIMITIVE_GROUP * groups_for(run->end, SCAN_GRAIN, SCAN_BLOCKS);
-	TRY(CALL(SetKernelArg, d->primitives.scan_sum, 3, sizeof *run, run));
-	TRY(CALL(SetKernelArg, d->primitives.scan_place, 3, sizeof *run, run));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.scan_sum, 3, sizeof *run, run));
+	TRY(CALL(d->failure, SetKernelArg, d->primitives.scan_place, 3, sizeof *run, run));
 	TRY(launch(d, d->primitives.scan_sum, items, PRIMITIVE_GROUP));
 	return launch(d, d->primitives.scan_place, items, PRIMITIVE_GROUP);
 }

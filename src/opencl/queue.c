@@ -2,9 +2,11 @@
 // queue.c -- enqueues launches and uploads, waits for the queue, and measures launches.
 #include "opencl/queue.h"
 #include "platform/error.h"
+#include <math.h>
 #include <string.h>
 
-#define LAPS 4096
+#define LAPS        4096
+#define UPLOAD_PART (STAGING_BYTES / 4) // bytes of a part of an upload
 
 scree_status timing_open(OpenCl* d)
 {
@@ -13,25 +15,61 @@ scree_status timing_open(OpenCl* d)
 	                      : fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for the timings of an OpenCL device.");
 }
 
-static void add_laps(OpenCl* d)
+static scree_status lap_read(OpenCl* d, const LaunchTime* lap)
+{
+	cl_ulong begin = 0, end = 0; // ns
+	TRY(CALL(d->failure, GetEventProfilingInfo, lap->event, CL_PROFILING_COMMAND_START, sizeof begin, &begin, NULL));
+	TRY(CALL(d->failure, GetEventProfilingInfo, lap->event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL));
+	d->timing.milliseconds[lap->stage] += 1e-6 * (double)(end - begin);
+	return SCREE_OK;
+}
+
+// Adds the times of all launches if `status` is SCREE_OK, and releases their events. Returns the first failure.
+static scree_status add_laps(OpenCl* d, scree_status status)
 {
 	for (int i = 0; i < d->timing.lap_count; ++i)
 	{
-		cl_ulong begin = 0, end = 0; // ns
-		opencl.GetEventProfilingInfo(d->timing.laps[i].event, CL_PROFILING_COMMAND_START, sizeof begin, &begin, NULL);
-		opencl.GetEventProfilingInfo(d->timing.laps[i].event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL);
-		opencl.ReleaseEvent(d->timing.laps[i].event);
-		d->timing.milliseconds[d->timing.laps[i].stage] += 1e-6 * (double)(end - begin);
+		if (status == SCREE_OK)
+			status = lap_read(d, &d->timing.laps[i]);
+		RELEASE(d->failure, Event, d->timing.laps[i].event);
 	}
 	d->timing.lap_count = 0;
+	return status;
+}
+
+scree_status event_wait(OpenCl* d, cl_event* event)
+{
+	scree_status status = wait_for(d->failure, *event, d->wait_limit, d->device.type & CL_DEVICE_TYPE_CPU);
+	RELEASE(d->failure, Event, *event);
+	*event = NULL;
+	return status;
+}
+
+scree_status queue_wait(OpenCl* d, cl_command_queue queue, cl_event* event)
+{
+	scree_status status = CALL(d->failure, Flush, queue);
+	if (status == SCREE_OK)
+		return event_wait(d, event);
+	RELEASE(d->failure, Event, *event);
+	*event = NULL;
+	return status;
+}
+
+scree_status queue_finish(OpenCl* d, cl_command_queue queue)
+{
+	if (isinf(d->wait_limit))
+		return CALL(d->failure, Finish, queue);
+	cl_event event;
+	TRY(CALL(d->failure, EnqueueBarrierWithWaitList, queue, 0, NULL, &event));
+	return queue_wait(d, queue, &event);
 }
 
 scree_status finish(OpenCl* d)
 {
-	scree_status status = CALL(Finish, d->queue);
-	d->staging.used = 0;
-	add_laps(d);
-	return status;
+	scree_status status = queue_finish(d, d->queue);
+	if (status == SCREE_OK)
+		d->staging.used = 0;
+	return add_laps(d, status);
 }
 
 scree_status opencl_timings(Backend* b, double milliseconds[STAGE_COUNT])
@@ -45,17 +83,18 @@ scree_status opencl_timings(Backend* b, double milliseconds[STAGE_COUNT])
 
 scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count)
 {
-	bool small = count <= STAGING_BYTES / 4;
-	if (small)
+	// memory of the caller is copied first, because the device might read it after a wait that failed
+	for (size_t done = 0; done < count;)
 	{
-		if (d->staging.used + count > STAGING_BYTES)
+		size_t part = count - done < UPLOAD_PART ? count - done : UPLOAD_PART;
+		if (d->staging.used + part > STAGING_BYTES)
 			TRY(finish(d));
-		bytes = memcpy(d->staging.pinned.memory + d->staging.used, bytes, count);
-		d->staging.used += count;
+		const void* copied = memcpy(d->staging.pinned.memory + d->staging.used, (const char*)bytes + done, part);
+		d->staging.used += part;
+		TRY(CALL(d->failure, EnqueueWriteBuffer, d->queue, buffer, CL_FALSE, offset + done, part, copied, 0, NULL,
+		         NULL));
+		done += part;
 	}
-	TRY(CALL(EnqueueWriteBuffer, d->queue, buffer, small ? CL_FALSE : CL_TRUE, offset, count, bytes, 0, NULL, NULL));
-	if (!small)
-		d->staging.used = 0;
 	return SCREE_OK;
 }
 
@@ -64,7 +103,7 @@ scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group)
 	if (d->timing.lap_count == LAPS)
 		TRY(finish(d));
 	cl_event* event = d->timing.laps ? &d->timing.laps[d->timing.lap_count].event : NULL;
-	TRY(CALL(EnqueueNDRangeKernel, d->queue, kernel, 1, NULL, &items, &group, 0, NULL, event));
+	TRY(CALL(d->failure, EnqueueNDRangeKernel, d->queue, kernel, 1, NULL, &items, &group, 0, NULL, event));
 	if (event)
 		d->timing.laps[d->timing.lap_count++].stage = d->timing.stage;
 	return SCREE_OK;

@@ -18,7 +18,17 @@ scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group);
 // Copies `count` bytes to a buffer, in order with the launches. The caller may overwrite `bytes` after the call.
 scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
 
-// Waits for the queue, and adds up the times of the launches.
+// Returns once a command of a flushed queue has ended, or fails after OpenCl.wait_limit. Releases the event and sets it
+// to null.
+scree_status event_wait(OpenCl* d, cl_event* event);
+
+// Flushes a queue, then calls event_wait.
+scree_status queue_wait(OpenCl* d, cl_command_queue queue, cl_event* event);
+
+// Returns once all commands of a queue have ended, or fails after OpenCl.wait_limit.
+scree_status queue_finish(OpenCl* d, cl_command_queue queue);
+
+// Waits for the queue of the device, and adds up the times of the launches.
 scree_status finish(OpenCl* d);
 
 scree_status opencl_timings(Backend* b, double milliseconds[STAGE_COUNT]);

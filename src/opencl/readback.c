@@ -3,16 +3,24 @@
 #include "opencl/readback.h"
 #include "opencl/buffer.h"
 #include "opencl/launch.h"
+#include "opencl/queue.h"
 #include "opencl/transfer.h"
 #include "platform/error.h"
 #include <string.h>
 
-scree_status read_open(OpenCl* d) { return pinned_open(d, READ_ASYNC_BYTES, &d->read.pinned); }
+#define READ_PART ((size_t)1 << 20) // bytes of a part of a read that waits
+
+// places in the pinned memory of AsyncRead, bytes: destination of opencl_read_begin, of read_edges, of other reads
+#define EDGES_AT (READ_ASYNC_BYTES)
+#define PART_AT  (READ_ASYNC_BYTES + 64)
+
+scree_status read_open(OpenCl* d) { return pinned_open(d, PART_AT + READ_PART, &d->read.pinned); }
+
+cl_int* read_edges(const OpenCl* d) { return (cl_int*)(d->read.pinned.memory + EDGES_AT); }
 
 void read_close(OpenCl* d)
 {
-	if (d->read.event)
-		opencl.ReleaseEvent(d->read.event);
+	RELEASE(d->failure, Event, d->read.event);
 	pinned_close(d, &d->read.pinned);
 }
 
@@ -39,22 +47,38 @@ scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count)
 	d->read.bytes = bytes * (size_t)count;
 	d->read.staged = d->staging.used;
 	ASSERT(d->read.bytes <= READ_ASYNC_BYTES && !d->read.event);
-	TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_FALSE, pool_offset(d, pool) + bytes * (size_t)first,
-	         d->read.bytes, d->read.pinned.memory, 0, NULL, &d->read.event));
-	return CALL(Flush, d->queue);
+	TRY(CALL(d->failure, EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_FALSE,
+	         pool_offset(d, pool) + bytes * (size_t)first, d->read.bytes, d->read.pinned.memory, 0, NULL,
+	         &d->read.event));
+	return CALL(d->failure, Flush, d->queue);
 }
 
 scree_status opencl_read_end(Backend* b, void* items)
 {
 	OpenCl* d = b->state;
-	TRY(CALL(WaitForEvents, 1, &d->read.event));
-	opencl.ReleaseEvent(d->read.event);
-	d->read.event = NULL;
+	TRY(event_wait(d, &d->read.event));
 	// if no upload was enqueued after this read was enqueued, all uploads are done
 	if (d->staging.used == d->read.staged)
 		d->staging.used = 0;
 	memcpy(items, d->read.pinned.memory, d->read.bytes);
 	return d->read.pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
+}
+
+scree_status read_now(OpenCl* d, cl_mem buffer, size_t offset, size_t bytes, void* to)
+{
+	// the driver would use its own pinned memory, which takes longer
+	unsigned char* place = d->read.pinned.memory + PART_AT;
+	for (size_t done = 0; done < bytes;)
+	{
+		size_t part = bytes - done < READ_PART ? bytes - done : READ_PART;
+		cl_event event;
+		TRY(CALL(d->failure, EnqueueReadBuffer, d->queue, buffer, CL_FALSE, offset + done, part, place, 0, NULL,
+		         &event));
+		TRY(queue_wait(d, d->queue, &event));
+		memcpy((char*)to + done, place, part);
+		done += part;
+	}
+	return SCREE_OK;
 }
 
 scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
@@ -65,16 +89,10 @@ scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* it
 	if (count == 0)
 		return SCREE_OK;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
-	// small reads go through pinned memory; otherwise the driver would use its own pinned memory, which takes longer
-	if (all <= READ_ASYNC_BYTES && !d->read.event)
-	{
-		TRY(opencl_read_begin(b, pool, first, count));
-		return opencl_read_end(b, items);
-	}
 	if (transfer_wanted(d, all))
 		TRY(transfer_down(d, pool_buffer(d, pool), offset, items, all));
 	else
-		TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_TRUE, offset, all, items, 0, NULL, NULL));
+		TRY(read_now(d, pool_buffer(d, pool), offset, all, items));
 	d->staging.used = 0;
 	return pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
 }

@@ -5,6 +5,7 @@
 // eighth of the bandwidth of the bus. Here several threads copy one pinned block while the device transfers another.
 #include "opencl/transfer.h"
 #include "opencl/buffer.h"
+#include "opencl/queue.h"
 #include "platform/error.h"
 #include "platform/processor.h"
 #include <string.h>
@@ -65,26 +66,23 @@ scree_status transfer_settle(OpenCl* d, int block)
 	cl_event* event = &d->transfer.events[block];
 	if (!*event)
 		return SCREE_OK;
-	scree_status status = CALL(WaitForEvents, 1, event);
-	opencl.ReleaseEvent(*event);
-	*event = NULL;
-	return status;
+	return event_wait(d, event);
 }
 
 scree_status transfer_send(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                            size_t bytes)
 {
-	TRY(CALL(EnqueueWriteBuffer, queue, buffer, CL_FALSE, offset, bytes, transfer_block(d, block), wait ? 1 : 0,
-	         wait ? &wait : NULL, &d->transfer.events[block]));
-	return CALL(Flush, queue);
+	TRY(CALL(d->failure, EnqueueWriteBuffer, queue, buffer, CL_FALSE, offset, bytes, transfer_block(d, block),
+	         wait ? 1 : 0, wait ? &wait : NULL, &d->transfer.events[block]));
+	return CALL(d->failure, Flush, queue);
 }
 
 scree_status transfer_fetch(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                             size_t bytes)
 {
-	TRY(CALL(EnqueueReadBuffer, queue, buffer, CL_FALSE, offset, bytes, transfer_block(d, block), wait ? 1 : 0,
-	         wait ? &wait : NULL, &d->transfer.events[block]));
-	return CALL(Flush, queue);
+	TRY(CALL(d->failure, EnqueueReadBuffer, queue, buffer, CL_FALSE, offset, bytes, transfer_block(d, block),
+	         wait ? 1 : 0, wait ? &wait : NULL, &d->transfer.events[block]));
+	return CALL(d->failure, Flush, queue);
 }
 
 scree_status transfer_up(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count)
@@ -127,8 +125,7 @@ scree_status transfer_down(OpenCl* d, cl_mem buffer, size_t offset, void* bytes,
 void transfer_close(OpenCl* d)
 {
 	for (int block = 0; block < TRANSFER_BLOCKS; ++block)
-		if (d->transfer.events[block])
-			opencl.ReleaseEvent(d->transfer.events[block]);
+		RELEASE(d->failure, Event, d->transfer.events[block]);
 	threads_close(d->transfer.threads);
 	pinned_close(d, &d->transfer.pinned);
 }

@@ -63,6 +63,16 @@ double processor_milliseconds(void)
 #endif
 }
 
+void processor_sleep(double milliseconds)
+{
+#ifdef _WIN32
+	Sleep((DWORD)(milliseconds + 0.5));
+#else
+	long nanoseconds = (long)(milliseconds * 1e6);
+	nanosleep(&(struct timespec){nanoseconds / 1000000000, nanoseconds % 1000000000}, NULL);
+#endif
+}
+
 // SCREE_LANES is the sum of the numbers of lanes in this build, which are powers of two.
 bool processor_lanes_compiled(int lanes) { return (SCREE_LANES & lanes) != 0; }
 

@@ -9,7 +9,8 @@
 int processor_cores(void);       // number of cores that this process may use, at least 1
 uint64_t processor_memory(void); // physical memory, bytes; 0 if unknown
 
-double processor_milliseconds(void); // time by a monotonic clock, ms
+double processor_milliseconds(void);       // time by a monotonic clock, ms
+void processor_sleep(double milliseconds); // suspends the thread for about this time
 
 bool processor_lanes_compiled(int lanes); // true: this build has kernels for a number of lanes: 1, 4, 8 or 16
 bool processor_has_lanes(int lanes);      // true: this build has these kernels, and the processor can run them

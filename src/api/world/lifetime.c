@@ -56,6 +56,9 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 	TRY(check_tuning(at, &tuning));
 	TRY(check_real(at, ".hit_speed", def->hit_speed, 0.0f, FLT_MAX));
 	TRY(check_real(at, ".hit_impulse", def->hit_impulse, 0.0f, FLT_MAX));
+	if (!(def->device_timeout >= 0.0f))
+		return refuse(SCREE_ERROR_INVALID, at, ".device_timeout", "is %s, must be from 0 to INFINITY",
+		              decimal(def->device_timeout).text);
 	if (def->body_capacity < 0 || def->body_capacity > MAX_ITEMS)
 		return refuse(SCREE_ERROR_INVALID, at, ".body_capacity", "is %d, must be from 0 to %d", def->body_capacity,
 		              MAX_ITEMS);

@@ -52,10 +52,10 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
 	Run continuous = {.kernel_id = KERNEL_continuous, .end = solve->collidables, .count = COUNT(continuous_items)};
 	TRY(kernel_step(d, &d->solve_end));
-	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof(cl_int), &solve->bodies));
-	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof(cl_int), &solve->substeps));
-	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &passes));
-	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
+	TRY(CALL(d->failure, SetKernelArg, kernel, END_BODIES, sizeof(cl_int), &solve->bodies));
+	TRY(CALL(d->failure, SetKernelArg, kernel, END_SUBSTEPS, sizeof(cl_int), &solve->substeps));
+	TRY(CALL(d->failure, SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &passes));
+	TRY(CALL(d->failure, SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
 	size_t group = d->solve_end.group;
 	d->timing.stage = STAGE_finalize;
 	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
@@ -89,8 +89,11 @@ scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunL
 	OpenCl* d = b->state;
 	step_set(d, step);
 	SolveForm form = solve_form(d, solve);
-	if (form != FORM_LAUNCHES && form_reserve(d, solve, form) != SCREE_OK)
+	scree_status reserved = form == FORM_LAUNCHES ? SCREE_OK : form_reserve(d, solve, form);
+	if (reserved != SCREE_OK)
 	{
+		if (reserved != SCREE_ERROR_OUT_OF_MEMORY)
+			return reserved;
 		log_sentence(SCREE_LOG_WARNING, "%s: %s; the solver is slower without.", b->name, scree_error());
 		d->form = form = FORM_LAUNCHES;
 	}
@@ -113,5 +116,5 @@ scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunL
 		TRY(run_now(b, step, list));
 	}
 	TRY(solve_end(d, solve));
-	return CALL(Flush, d->queue);
+	return CALL(d->failure, Flush, d->queue);
 }

@@ -4,6 +4,7 @@
 #include "opencl/buffer.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
+#include "opencl/readback.h"
 #include "platform/error.h"
 
 // limits of a spin-wait, in reads of about 0.5 us: 2 s for a solve, 30 ms for the probe; number of rounds of the probe
@@ -121,13 +122,13 @@ scree_status relay_reserve(OpenCl* d, const Solve* solve)
 static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem fault, bool* runs)
 {
 	cl_int rounds = PROBE_ROUNDS, spins = PROBE_SPINS, found = 0;
-	TRY(CALL(SetKernelArg, kernel, 0, sizeof mailboxes, &mailboxes));
-	TRY(CALL(SetKernelArg, kernel, 1, sizeof fault, &fault));
-	TRY(CALL(SetKernelArg, kernel, 2, sizeof rounds, &rounds));
-	TRY(CALL(SetKernelArg, kernel, 3, sizeof spins, &spins));
+	TRY(CALL(d->failure, SetKernelArg, kernel, 0, sizeof mailboxes, &mailboxes));
+	TRY(CALL(d->failure, SetKernelArg, kernel, 1, sizeof fault, &fault));
+	TRY(CALL(d->failure, SetKernelArg, kernel, 2, sizeof rounds, &rounds));
+	TRY(CALL(d->failure, SetKernelArg, kernel, 3, sizeof spins, &spins));
 	TRY(launch(d, kernel, (size_t)d->relay.groups * d->relay.kernels[RELAY_COLORS].group,
 	           d->relay.kernels[RELAY_COLORS].group));
-	TRY(CALL(EnqueueReadBuffer, d->queue, fault, CL_TRUE, 0, sizeof found, &found, 0, NULL, NULL));
+	TRY(read_now(d, fault, 0, sizeof found, &found));
 	*runs = found == 0;
 	if (found)
 		log_sentence(SCREE_LOG_INFO, "%s: %s; the solver does without the relay.", d->device.about.name,
@@ -173,8 +174,9 @@ scree_status relay_open(OpenCl* d)
 	cl_int error;
 	cl_mem mailboxes = NULL, fault = NULL;
 	bool runs = false;
-	cl_kernel kernel = opencl.CreateKernel(d->program, "relay_probe", &error);
-	scree_status status = opencl_check("clCreateKernel", error);
+	cl_kernel kernel;
+	CREATE(d->failure, kernel, error, Kernel, d->program, "relay_probe");
+	scree_status status = context_check(d->failure, "clCreateKernel", error);
 	if (!status)
 		status = buffer_create(d, 2 * sizeof(cl_ulong) * (size_t)d->relay.groups * d->relay.kernels[RELAY_COLORS].group,
 		                       &mailboxes);
@@ -184,35 +186,31 @@ scree_status relay_open(OpenCl* d)
 		status = probe(d, kernel, mailboxes, fault, &runs);
 	if (!runs)
 		d->relay.groups = 0;
-	if (mailboxes)
-		opencl.ReleaseMemObject(mailboxes);
-	if (fault)
-		opencl.ReleaseMemObject(fault);
-	if (kernel)
-		opencl.ReleaseKernel(kernel);
+	RELEASE(d->failure, MemObject, mailboxes);
+	RELEASE(d->failure, MemObject, fault);
+	RELEASE(d->failure, Kernel, kernel);
 	return status;
 }
 
 void relay_close(OpenCl* d)
 {
 	for (int k = 0; k < RELAY_KERNELS; ++k)
-		if (d->relay.kernels[k].kernel)
-			opencl.ReleaseKernel(d->relay.kernels[k].kernel);
-	scratch_release(&d->relay.mailboxes);
-	scratch_release(&d->relay.stream);
-	scratch_release(&d->relay.parts);
+		RELEASE(d->failure, Kernel, d->relay.kernels[k].kernel);
+	scratch_release(d, &d->relay.mailboxes);
+	scratch_release(d, &d->relay.stream);
+	scratch_release(d, &d->relay.parts);
 }
 
 // Sets the arguments that both kernels have. substeps: index of the argument `substeps` and the first of five.
 static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
 {
 	cl_int spins = SPINS;
-	TRY(CALL(SetKernelArg, kernel, RELAY_MAILBOXES, sizeof(cl_mem), &d->relay.mailboxes.buffer));
-	TRY(CALL(SetKernelArg, kernel, RELAY_STREAM, sizeof(cl_mem), &d->relay.stream.buffer));
+	TRY(CALL(d->failure, SetKernelArg, kernel, RELAY_MAILBOXES, sizeof(cl_mem), &d->relay.mailboxes.buffer));
+	TRY(CALL(d->failure, SetKernelArg, kernel, RELAY_STREAM, sizeof(cl_mem), &d->relay.stream.buffer));
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
 	const cl_int* values[] = {&solve->substeps, &passes, &solve->bound, &spins, &spread};
 	for (cl_uint k = 0; k < 5; ++k)
-		TRY(CALL(SetKernelArg, kernel, substeps + k, sizeof(cl_int), values[k]));
+		TRY(CALL(d->failure, SetKernelArg, kernel, substeps + k, sizeof(cl_int), values[k]));
 	return SCREE_OK;
 }
 
@@ -223,8 +221,8 @@ static scree_status relay_hubs_run(OpenCl* d, const Solve* solve)
 	       spread = spread_of(solve_constraints(solve), other_most(d, solve) * hubs_kernel(d)->group);
 	TRY(kernel_step(d, hubs_kernel(d)));
 	TRY(relay_arguments(d, solve, kernel, HUBS_SUBSTEPS, spread));
-	TRY(CALL(SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->relay.parts.buffer));
-	TRY(CALL(SetKernelArg, kernel, HUBS_GROUPS, sizeof groups, &groups));
+	TRY(CALL(d->failure, SetKernelArg, kernel, HUBS_PARTS, sizeof(cl_mem), &d->relay.parts.buffer));
+	TRY(CALL(d->failure, SetKernelArg, kernel, HUBS_GROUPS, sizeof groups, &groups));
 	size_t all = hubs_kernel(d)->groups > 1 ? (size_t)groups + other_groups(d, solve) : 1;
 	return launch(d, kernel, all * hubs_kernel(d)->group, hubs_kernel(d)->group);
 }
@@ -238,7 +236,7 @@ scree_status relay_run(OpenCl* d, const Solve* solve)
 	cl_int constraints = solve_constraints(solve), spread = spread_of(constraints, most * relay->group);
 	TRY(kernel_step(d, relay));
 	TRY(relay_arguments(d, solve, relay->kernel, RELAY_SUBSTEPS, spread));
-	TRY(CALL(SetKernelArg, relay->kernel, RELAY_COUNT, sizeof constraints, &constraints));
+	TRY(CALL(d->failure, SetKernelArg, relay->kernel, RELAY_COUNT, sizeof constraints, &constraints));
 	size_t groups = groups_of(constraints * spread, relay->group);
 	return launch(d, relay->kernel, (groups < most ? groups : most) * relay->group, relay->group);
 }

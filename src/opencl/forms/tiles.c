@@ -5,6 +5,7 @@
 #include "opencl/forms/relay.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
+#include "opencl/readback.h"
 #include "platform/error.h"
 
 #define BORDER_SHARE 0.1 // stale tiles are rebuilt if the last border contained at most this share of the constraints
@@ -61,17 +62,14 @@ scree_status tiles_open(OpenCl* d)
 void tiles_close(OpenCl* d)
 {
 	TileState* t = &d->tiles;
-	if (t->edges_event)
-		opencl.ReleaseEvent(t->edges_event);
+	RELEASE(d->failure, Event, t->edges_event);
 	cl_kernel others[] = {t->total, t->begin, t->range};
 	for (int k = 0; k < TILE_KERNELS; ++k)
-		if (t->kernels[k].kernel)
-			opencl.ReleaseKernel(t->kernels[k].kernel);
+		RELEASE(d->failure, Kernel, t->kernels[k].kernel);
 	for (int k = 0; k < 3; ++k)
-		if (others[k])
-			opencl.ReleaseKernel(others[k]);
+		RELEASE(d->failure, Kernel, others[k]);
 	for (int k = 0; k < TILE_BUFFERS; ++k)
-		scratch_release(&t->buffers[k]);
+		scratch_release(d, &t->buffers[k]);
 }
 
 scree_status tiles_bind(OpenCl* d, Per per)
@@ -124,7 +122,7 @@ static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int ite
                               int count)
 {
 	for (int k = 0; k < count; ++k)
-		TRY(CALL(SetKernelArg, kernel, first + (cl_uint)k, values[k].size, values[k].value));
+		TRY(CALL(d->failure, SetKernelArg, kernel, first + (cl_uint)k, values[k].size, values[k].value));
 	return launch(d, kernel, groups_of(items, group) * group, group);
 }
 
@@ -146,10 +144,10 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	cl_mem rank = t->buffers[TILE_RANK_BUFFER].buffer, order = t->buffers[TILE_ORDER_BUFFER].buffer;
 	const cl_int zero = 0, none = -1;
 	cl_int pushed = t->pushed;
-	TRY(CALL(EnqueueFillBuffer, d->queue, table, &zero, sizeof zero, 0, t->buffers[TILE_TABLE_BUFFER].bytes, 0, NULL,
-	         NULL));
-	TRY(CALL(EnqueueFillBuffer, d->queue, order, &none, sizeof none, 0, t->buffers[TILE_ORDER_BUFFER].bytes, 0, NULL,
-	         NULL));
+	TRY(CALL(d->failure, EnqueueFillBuffer, d->queue, table, &zero, sizeof zero, 0, t->buffers[TILE_TABLE_BUFFER].bytes,
+	         0, NULL, NULL));
+	TRY(CALL(d->failure, EnqueueFillBuffer, d->queue, order, &none, sizeof none, 0, t->buffers[TILE_ORDER_BUFFER].bytes,
+	         0, NULL, NULL));
 	TRY(tile_run(d, TILE_SETTLE, places, VALUES(VALUE(place), VALUE(edge), VALUE(places), VALUE(solve->bound))));
 	TRY(tile_run(d, TILE_LIST, places,
 	             VALUES(VALUE(place), VALUE(resident), VALUE(places), VALUE(solve->bound), VALUE(pushed))));
@@ -175,29 +173,31 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	if (t->edges_event)
 		return SCREE_OK;
 	// last two entries of `total`: first place of the border, and one past its last place
-	TRY(CALL(EnqueueReadBuffer, d->queue, total, CL_FALSE, (size_t)rows * sizeof(cl_int), sizeof t->edges, t->edges, 0,
-	         NULL, &t->edges_event));
+	TRY(CALL(d->failure, EnqueueReadBuffer, d->queue, total, CL_FALSE, (size_t)rows * sizeof(cl_int), EDGES_BYTES,
+	         read_edges(d), 0, NULL, &t->edges_event));
 	return SCREE_OK;
 }
 
 // Stores the size of the border in t->border, if the read that lay_out enqueued is complete.
-static void border_poll(TileState* t)
+static void border_poll(OpenCl* d)
 {
+	TileState* t = &d->tiles;
 	cl_int status = CL_QUEUED;
 	if (!t->edges_event ||
-	    opencl.GetEventInfo(t->edges_event, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status, NULL) ||
+	    CALL(d->failure, GetEventInfo, t->edges_event, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status,
+	         NULL) ||
 	    status > CL_COMPLETE)
 		return;
-	opencl.ReleaseEvent(t->edges_event);
+	RELEASE(d->failure, Event, t->edges_event);
 	t->edges_event = NULL;
 	if (status == CL_COMPLETE)
-		t->border = t->edges[1] - t->edges[0];
+		t->border = read_edges(d)[1] - read_edges(d)[0];
 }
 
 bool tiles_pay(OpenCl* d, const Solve* solve)
 {
 	TileState* t = &d->tiles;
-	border_poll(t);
+	border_poll(d);
 	return !t->stale || t->border <= BORDER_SHARE * solve_constraints(solve) || ++t->age >= BORDER_AGE;
 }
 

@@ -43,6 +43,7 @@ scree_status device_open(const scree_world_def* def, TestWorlds* test, Backend**
 	                          .lanes = def->lanes,
 	                          .allow_unequal_bits = def->allow_unequal_bits,
 	                          .timings = def->timings,
+	                          .device_timeout = def->device_timeout,
 	                          .opengl = def->opengl,
 	                          .test = test};
 	if (strncmp(def->device, "opencl", 6) != 0)
@@ -53,7 +54,11 @@ scree_status device_open(const scree_world_def* def, TestWorlds* test, Backend**
 
 scree_status device_open_gpu(const scree_world_def* def, TestWorlds* test, Backend** backend)
 {
-	BackendOptions options = {.timings = def->timings, .gpu = true, .opengl = def->opengl, .test = test};
+	BackendOptions options = {.timings = def->timings,
+	                          .device_timeout = def->device_timeout,
+	                          .gpu = true,
+	                          .opengl = def->opengl,
+	                          .test = test};
 	return opencl_open(&options, backend);
 }
 
