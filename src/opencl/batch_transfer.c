@@ -163,9 +163,11 @@ scree_status opencl_batch(Backend* b, const Step* step, const Batch* batch)
 		return SCREE_OK;
 	}
 	// all transfers end before the blocks are used again, unless the context has failed
+	const Sentence kept = sentence_keep();
 	cl_command_queue queues[] = {d->transfer.up, d->queue, d->transfer.down};
 	for (int k = 0; k < 3 && !context_failed(d->failure); ++k)
 		queue_finish(d, queues[k]);
+	sentence_restore(&kept);
 	return status;
 }
 

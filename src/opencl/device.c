@@ -228,12 +228,26 @@ static bool has_part(const char* text, const char* part)
 	}
 }
 
+// Returns the reason why the last list of devices was empty, or "". count: number of devices in it.
+static const char* hint(int count)
+{
+	if (count > 0)
+		return "";
+	if (!opencl_load())
+		return "There is no OpenCL on this machine: install ocl-icd-libopencl1 and, for the CPU, pocl-opencl-icd "
+		       "(Debian, Ubuntu), or the GPU vendor's driver.";
+	if (list_error[0])
+		return list_error;
+	return "OpenCL is installed but has no device: install pocl-opencl-icd (Debian, Ubuntu) for the CPU, or the GPU "
+	       "vendor's driver.";
+}
+
 scree_status device_choose(const BackendOptions* options, Device* device)
 {
 	Device devices[MAX_DEVICES];
 	int count = device_list(devices, MAX_DEVICES);
 	if (count == 0)
-		return fail(SCREE_ERROR_NO_DEVICE, "%s", opencl_hint());
+		return fail(SCREE_ERROR_NO_DEVICE, "%s", hint(0));
 
 	const char* part = options->device ? options->device : "";
 	const Device* best = NULL;
@@ -273,15 +287,4 @@ int opencl_devices(scree_device* devices, int capacity)
 	return count < MAX_DEVICES ? count : MAX_DEVICES;
 }
 
-const char* opencl_hint(void)
-{
-	if (!opencl_load())
-		return "There is no OpenCL on this machine: install ocl-icd-libopencl1 and, for the CPU, pocl-opencl-icd "
-		       "(Debian, Ubuntu), or the GPU vendor's driver.";
-	if (device_list(NULL, 0) == 0)
-		return list_error[0] ? list_error
-		                     : "OpenCL is installed but has no device: install pocl-opencl-icd (Debian, Ubuntu) for "
-		                       "the CPU, or the "
-		                       "GPU vendor's driver.";
-	return "";
-}
+const char* opencl_hint(void) { return hint(device_list(NULL, 0)); }

@@ -3,19 +3,21 @@
 #include "opencl/loader.h"
 #include "platform/error.h"
 #include <stdatomic.h>
+#include <stdlib.h>
 
 OpenClFunctions opencl;
 static void* opened; // handle of the OpenCL library
 
 #ifdef _WIN32
 #include <windows.h>
-static void* open_library(void) { return (void*)LoadLibraryA("OpenCL.dll"); }
+static const char* const library_names[] = {"OpenCL.dll"};
+static void describe_machine(void) {}
+static void* open_named(const char* name) { return (void*)LoadLibraryA(name); }
 static void* find(void* library, const char* name) { return (void*)GetProcAddress((HMODULE)library, name); }
 #else
 #include <dlfcn.h>
 #ifdef __linux__
 #include <stdio.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 // Sets the environment variable HWLOC_SYNTHETIC, unless it is set, to the memory size and number of processors that
@@ -34,27 +36,36 @@ static void describe_machine(void)
 static void describe_machine(void) {}
 #endif
 
-static void* open_library(void)
-{
-	static const char* const names[] = {
+static const char* const library_names[] = {
 #ifdef __APPLE__
-	    "/System/Library/Frameworks/OpenCL.framework/OpenCL",
+    "/System/Library/Frameworks/OpenCL.framework/OpenCL",
 #else
-	    "libOpenCL.so.1",
-	    "libOpenCL.so",
+    "libOpenCL.so.1",
+    "libOpenCL.so",
 #endif
-	};
-	describe_machine();
-	for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
-	{
-		void* library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
-		if (library)
-			return library;
-	}
-	return NULL;
-}
+};
+static void* open_named(const char* name) { return dlopen(name, RTLD_NOW | RTLD_LOCAL); }
 static void* find(void* library, const char* name) { return dlsym(library, name); }
 #endif
+
+// Opens the library that the environment variable SCREE_OPENCL names, or that of the system.
+static void* open_library(void)
+{
+	const char* chosen = getenv("SCREE_OPENCL");
+	void* library = NULL;
+	describe_machine();
+	if (chosen && *chosen)
+	{
+		library = open_named(chosen);
+		if (!library)
+			log_sentence(SCREE_LOG_WARNING, "SCREE_OPENCL is \"%s\", which cannot be opened; there is no OpenCL.",
+			             chosen);
+		return library;
+	}
+	for (size_t i = 0; i < sizeof library_names / sizeof *library_names && !library; ++i)
+		library = open_named(library_names[i]);
+	return library;
+}
 
 static bool fill_table(void)
 {

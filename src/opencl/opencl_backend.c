@@ -27,6 +27,7 @@
 static void opencl_close(Backend* b)
 {
 	OpenCl* d = b->state;
+	const Sentence kept = sentence_keep(); // an earlier error may be the reason of the call
 	if (d)
 	{
 		if (d->queue)
@@ -54,6 +55,7 @@ static void opencl_close(Backend* b)
 		scree_release(d);
 	}
 	scree_release(b);
+	sentence_restore(&kept);
 }
 
 static size_t item_bytes(Per per)

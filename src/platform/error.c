@@ -16,7 +16,7 @@
 #include <sys/mman.h>
 #endif
 
-#define SENTENCE_BYTES 1024
+#define SENTENCE_BYTES sizeof(Sentence)
 #define ALIGNMENT      64
 
 // Minimum size of a block for which huge pages are requested, bytes. Reads of bodies at random places of a large pool
@@ -122,6 +122,15 @@ scree_status fail(scree_status status, const char* format, ...)
 	memcpy(sentence, text, sizeof(sentence));
 	return status;
 }
+
+Sentence sentence_keep(void)
+{
+	Sentence kept;
+	memcpy(kept.text, sentence, sizeof kept.text);
+	return kept;
+}
+
+void sentence_restore(const Sentence* kept) { memcpy(sentence, kept->text, sizeof kept->text); }
 
 void log_sentence(scree_log_level level, const char* format, ...)
 {

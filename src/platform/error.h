@@ -14,6 +14,14 @@
 // Sets the message that scree_error returns on this thread. Returns `status`.
 scree_status fail(scree_status status, const char* format, ...) FORMAT(2, 3);
 
+// Copies of the message of this thread, for calls that clean up after an error and must not replace it.
+typedef struct
+{
+	char text[1024];
+} Sentence;
+Sentence sentence_keep(void);
+void sentence_restore(const Sentence* kept);
+
 #define TRY(expression)                         \
 	do                                          \
 	{                                           \
