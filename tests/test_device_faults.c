@@ -51,7 +51,7 @@ static void begin_fault(Kind kind, int function, long calls)
 	layer->function = function;
 	layer->failed = NULL;
 	layer->violations = layer->unknown = 0;
-	layer->calls_left = calls;
+	layer->calls_left = layer->fault_at = calls;
 }
 
 // Checks what holds after each fault, when the worlds that met it are destroyed.
@@ -79,12 +79,13 @@ static bool is_tolerated(scree_status status, const char* act, Kind kind)
 	if (status == SCREE_OK && (release || kind.fault == LAYER_HANGS))
 		return true;
 	if (status == SCREE_OK)
-		fail_msg("%s succeeds although %s failed", act, layer->failed);
+		fail_msg("%s succeeds although call %ld, %s, failed", act, layer->fault_at, layer->failed);
 	bool named = kind.fault == LAYER_HANGS
 	                 ? strstr(scree_error(), "has not ended within") != NULL
 	                 : strstr(scree_error(), layer->failed) && strstr(scree_error(), opencl_error_name(kind.code));
 	if (!named && !release)
-		fail_msg("%s: %s failed, and the message is \"%s\"", act, layer->failed, scree_error());
+		fail_msg("%s: call %ld, %s, failed, and the message is \"%s\"", act, layer->fault_at, layer->failed,
+		         scree_error());
 	return false;
 }
 
@@ -140,14 +141,18 @@ static void each_call_fails(void** state)
 	(void)state;
 	NEEDS_SECOND_DEVICE();
 	const char* chosen = getenv("SCREE_FAULTS");
+	const char* only = getenv("SCREE_FAULT_KIND");
+	const char* from = getenv("SCREE_FAULT_FROM");
 	long calls = count_calls();
 	print_message("%ld calls\n", calls);
 	for (int k = 0; k < KINDS; ++k)
 	{
 		long runs = chosen ? strcmp(chosen, "all") == 0 ? calls : atol(chosen) : 12;
 		double step = (double)calls / (double)runs;
+		if (only && atoi(only) != k)
+			continue;
 		int broken = 0, tried = 0;
-		for (double at = (double)k * step / KINDS; at < (double)calls; at += step)
+		for (double at = from ? atof(from) : (double)k * step / KINDS; at < (double)calls; at += step)
 			tried += run_with_fault(kinds[k], (long)at, &broken);
 		print_message("%s: %d faults; %d worlds broke\n",
 		              kinds[k].fault == LAYER_HANGS ? "hangs" : opencl_error_name(kinds[k].code), tried, broken);

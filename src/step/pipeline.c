@@ -63,6 +63,8 @@ static scree_status solve_early(Pipeline* pipeline, const Step* step, const Step
 // Ends a step whose search for pairs is incomplete; restores the boxes. Returns `why`, or a failure of the device.
 static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status why)
 {
+	if (why == SCREE_ERROR_DEVICE_FAILED)
+		return why;
 	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
 	tree_touch(pipeline, 0);
 	tree_touch(pipeline, 1);
@@ -213,7 +215,7 @@ static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
 }
 
 // Ends a step that changes nothing, without the device.
-static void skip(Pipeline* pipeline, const StepRequest* request)
+static scree_status skip(Pipeline* pipeline, const StepRequest* request)
 {
 	if (request->dt > 0.0f)
 		pipeline->step = step_constants(pipeline, request);
@@ -222,7 +224,7 @@ static void skip(Pipeline* pipeline, const StepRequest* request)
 	++pipeline->steps;
 	++pipeline->skipped;
 	pipeline->rested = true;
-	pipeline_trim(pipeline);
+	return pipeline_trim(pipeline);
 }
 
 // Counts the successive steps in which nothing moved. While a body was pressed recently, each step counts the steps for
@@ -238,17 +240,14 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
 	if (is_quiet(pipeline, request))
-	{
-		skip(pipeline, request);
-		return SCREE_OK;
-	}
+		return skip(pipeline, request);
 	pipeline->started = false;
 	pipeline->rested = false;
 	pipeline->trees[0].seen = false;
 	TRY(prepare(pipeline, request));
 	Step step = step_constants(pipeline, request);
 	scree_status status = run_stages(pipeline, &step, request);
-	if (status && !pipeline->started &&
+	if (status && status != SCREE_ERROR_DEVICE_FAILED && !pipeline->started &&
 	    apply_commands(pipeline, &step, &request->commands, request->commands.undo) == SCREE_ERROR_DEVICE_FAILED)
 		status = SCREE_ERROR_DEVICE_FAILED;
 	TRY(status);
@@ -270,9 +269,8 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	pipeline->settles = pipeline->settles && request->dt == 0.0f;
 	pipeline->jumps = false;
 	pipeline->reverted = false;
-	pipeline_trim(pipeline);
 	++pipeline->steps;
-	return SCREE_OK;
+	return pipeline_trim(pipeline);
 }
 
 void pipeline_move(Pipeline* pipeline, Backend* backend)

@@ -101,31 +101,41 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	return status;
 }
 
-// Shrinks much larger pools to twice their used size, but at least to `least` items. Returns whether they shrank.
-static bool shrink(Pipeline* pipeline, Per per, int least)
+// Shrinks pools, unless memory for the copy is lacking; then they stay large.
+static scree_status shrink_to(Backend* b, Per per, int capacity)
+{
+	scree_status status = b->f->resize(b, per, capacity);
+	return status == SCREE_ERROR_OUT_OF_MEMORY ? SCREE_OK : status;
+}
+
+// Shrinks much larger pools to twice their used size, but at least to `least` items.
+static scree_status shrink(Pipeline* pipeline, Per per, int least)
 {
 	Backend* b = pipeline->backend;
 	int64_t wanted = rounded(larger(2 * pipeline->used[per], least));
-	return wanted * IDLE_SHARE < b->capacity[per] && b->f->resize(b, per, (int)wanted) == SCREE_OK;
+	return wanted * IDLE_SHARE < b->capacity[per] ? shrink_to(b, per, (int)wanted) : SCREE_OK;
 }
 
-static void shrink_all(Pipeline* pipeline)
+static scree_status shrink_all(Pipeline* pipeline)
 {
 	Backend* b = pipeline->backend;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
 		const KindInfo* info = &kind_info[kind];
-		if (shrink(pipeline, info->items, kind == CONSTRAINT_CONTACT ? pipeline->first_contacts : LEAST_CAPACITY))
-			b->f->resize(b, PER_EDGE, edges(b));
-		if (shrink(pipeline, info->places, (int)constraints_of(b->capacity[info->items])))
-			b->f->resize(b, info->blocks, b->capacity[info->places] / MAX_LANES);
+		int items = b->capacity[info->items], places = b->capacity[info->places];
+		TRY(shrink(pipeline, info->items, kind == CONSTRAINT_CONTACT ? pipeline->first_contacts : LEAST_CAPACITY));
+		if (b->capacity[info->items] < items)
+			TRY(shrink_to(b, PER_EDGE, edges(b)));
+		TRY(shrink(pipeline, info->places, (int)constraints_of(b->capacity[info->items])));
+		if (b->capacity[info->places] < places)
+			TRY(shrink_to(b, info->blocks, b->capacity[info->places] / MAX_LANES));
 	}
-	shrink(pipeline, PER_KEY, larger(b->capacity[PER_EDGE], b->capacity[PER_COLLIDABLE])); // color_rank: a key per edge
-	shrink(pipeline, PER_SPOKE, LEAST_CAPACITY);
-	shrink(pipeline, PER_SPOKE_BLOCK, LEAST_CAPACITY);
-	shrink(pipeline, PER_COMMAND, LEAST_CAPACITY);
-	shrink(pipeline, PER_QUERY, LEAST_CAPACITY);
-	shrink(pipeline, PER_FOUND, LEAST_CAPACITY);
+	// color_rank: a key per edge
+	TRY(shrink(pipeline, PER_KEY, larger(b->capacity[PER_EDGE], b->capacity[PER_COLLIDABLE])));
+	static const Per others[] = {PER_SPOKE, PER_SPOKE_BLOCK, PER_COMMAND, PER_QUERY, PER_FOUND};
+	for (size_t k = 0; k < sizeof others / sizeof *others; ++k)
+		TRY(shrink(pipeline, others[k], LEAST_CAPACITY));
+	return SCREE_OK;
 }
 
 bool pipeline_sparse(Pipeline* pipeline)
@@ -136,7 +146,7 @@ bool pipeline_sparse(Pipeline* pipeline)
 	return pipeline->sparse >= SPARSE_STEPS;
 }
 
-void pipeline_trim(Pipeline* pipeline)
+scree_status pipeline_trim(Pipeline* pipeline)
 {
 	const Counters* c = &pipeline->counters;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
@@ -148,9 +158,10 @@ void pipeline_trim(Pipeline* pipeline)
 	note(pipeline, PER_SPOKE_BLOCK, layout_spokes(c) / MAX_LANES);
 	note(pipeline, PER_KEY, larger(c->pairs, layout_spokes(c)));
 	if (++pipeline->idle < IDLE_STEPS)
-		return;
-	shrink_all(pipeline);
+		return SCREE_OK;
+	TRY(shrink_all(pipeline));
 	pipeline->idle = 0;
 	for (int per = 0; per < PER_COUNT; ++per)
 		pipeline->used[per] = 0;
+	return SCREE_OK;
 }

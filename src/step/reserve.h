@@ -16,8 +16,9 @@ static inline int group_items(int items) { return (items + GROUP_ITEMS - 1) / GR
 // more.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 
-// Shrinks pools that have been much too large for a long time. Must be called after each step.
-void pipeline_trim(Pipeline* pipeline);
+// Shrinks pools that have been much too large for a long time. Must be called after each step. Fails only if the device
+// fails.
+scree_status pipeline_trim(Pipeline* pipeline);
 
 // Returns whether most contact slots have been unused in many consecutive steps. Must be called once per step.
 bool pipeline_sparse(Pipeline* pipeline);

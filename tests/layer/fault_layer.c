@@ -117,11 +117,12 @@ cl_int layer_before(int function, const void* object, bool blocks)
 {
 	FaultLayer* layer = &fault_layer;
 	Object* context = context_of(object);
-	++layer->calls;
+	bool counts = layer->function < 0 ? function != LAYER_GetEventInfo : function == layer->function;
+	layer->calls += function != LAYER_GetEventInfo;
 	++layer->calls_of[function];
 	if (context && context->lost)
 		return violation(function);
-	if (layer->calls_left >= 0 && (layer->function < 0 || layer->function == function) && layer->calls_left-- == 0)
+	if (counts && layer->calls_left >= 0 && layer->calls_left-- == 0)
 	{
 		layer->failed = names[function];
 		if (layer->fault != LAYER_HANGS)

@@ -28,7 +28,9 @@ typedef struct
 	LayerFault fault;
 	cl_int code;
 	long calls_left; // number of calls that succeed before the fault; negative: no fault
-	int function;    // only calls of this function are counted in calls_left; -1: all calls
+	long fault_at;   // first value of calls_left
+	int function;    // only calls of this function are counted in calls_left; -1: all but clGetEventInfo, whose number
+	                 // depends on the speed of the device
 
 	// written by the library
 	long calls, calls_of[LAYER_FUNCTIONS];
