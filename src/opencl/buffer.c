@@ -84,9 +84,10 @@ void pinned_close(OpenCl* d, Pinned* pinned)
 {
 	if (pinned->memory)
 	{
-		// errors are ignored, because the world is being destroyed
-		CALL(d->failure, EnqueueUnmapMemObject, d->queue, pinned->buffer, pinned->memory, 0, NULL, NULL);
-		finish(d);
+		if (!context_failed(d->failure))
+			context_released(d->failure, "clEnqueueUnmapMemObject",
+			                 opencl.EnqueueUnmapMemObject(d->queue, pinned->buffer, pinned->memory, 0, NULL, NULL));
+		finish_to_close(d);
 	}
 	RELEASE(d->failure, MemObject, pinned->buffer);
 }

@@ -26,19 +26,24 @@ _Static_assert(ARGUMENT_BYTES <= 1024, "the arguments of a kernel exceed the min
 
 static _Thread_local char list_error[160]; // error of the last list of devices; empty: none
 
-static void note_error(Device* d, cl_int error) { d->error = d->error ? d->error : error; }
+static void note_error(Device* d, const char* function, cl_int error)
+{
+	if (!d->error)
+		d->error_function = function;
+	d->error = d->error ? d->error : error;
+}
 
 static void platform_text(Device* d, cl_platform_info what, char* text, size_t size)
 {
 	char whole[1024] = "";
-	note_error(d, opencl.GetPlatformInfo(d->platform, what, sizeof whole, whole, NULL));
+	note_error(d, "clGetPlatformInfo", opencl.GetPlatformInfo(d->platform, what, sizeof whole, whole, NULL));
 	snprintf(text, size, "%.*s", (int)size - 1, whole);
 }
 
 static void device_text(Device* d, cl_device_info what, char* text, size_t size)
 {
 	char whole[1024] = "";
-	note_error(d, opencl.GetDeviceInfo(d->id, what, sizeof whole, whole, NULL));
+	note_error(d, "clGetDeviceInfo", opencl.GetDeviceInfo(d->id, what, sizeof whole, whole, NULL));
 	const char* start = whole + strspn(whole, " ");
 	snprintf(text, size, "%.*s", (int)size - 1, start);
 }
@@ -47,21 +52,23 @@ static void device_text(Device* d, cl_device_info what, char* text, size_t size)
 static cl_ulong device_number(Device* d, cl_device_info what)
 {
 	cl_ulong number = 0; // little-endian: a 32-bit answer fills the low half
-	note_error(d, opencl.GetDeviceInfo(d->id, what, sizeof number, &number, NULL));
+	note_error(d, "clGetDeviceInfo", opencl.GetDeviceInfo(d->id, what, sizeof number, &number, NULL));
 	return number;
 }
 
 static void find_sharing(Device* d)
 {
 	char extensions[8192] = "";
-	note_error(d, opencl.GetDeviceInfo(d->id, CL_DEVICE_EXTENSIONS, sizeof extensions, extensions, NULL));
+	note_error(d, "clGetDeviceInfo",
+	           opencl.GetDeviceInfo(d->id, CL_DEVICE_EXTENSIONS, sizeof extensions, extensions, NULL));
 	d->shares_opengl = strstr(extensions, "cl_khr_gl_sharing");
 	d->shares_memory = strstr(extensions, "cl_khr_external_memory_opaque_fd");
 	d->about.sharing = d->shares_opengl   ? SCREE_SHARING_OPENGL
 	                   : d->shares_memory ? SCREE_SHARING_MEMORY
 	                                      : SCREE_SHARING_COPIED;
 	if (strstr(extensions, "cl_khr_device_uuid"))
-		note_error(d, opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL));
+		note_error(d, "clGetDeviceInfo",
+		           opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL));
 }
 
 bool device_own_rounding(const Device* device)
@@ -91,8 +98,8 @@ static void check_support(Device* d)
 	bool little = device_number(d, CL_DEVICE_ENDIAN_LITTLE);
 	size_t group = (size_t)device_number(d, CL_DEVICE_MAX_WORK_GROUP_SIZE);
 	if (d->error)
-		snprintf(reason, size, "its driver does not describe it: clGetDeviceInfo: %s (%d)", opencl_error_name(d->error),
-		         (int)d->error);
+		snprintf(reason, size, "its driver does not describe it: %s: %s (%d)", d->error_function,
+		         opencl_error_name(d->error), (int)d->error);
 	else if (major * 10 + minor < 12)
 		snprintf(reason, size, "it offers only %.40s; Scree needs OpenCL 1.2", version);
 	else if (!available)

@@ -14,11 +14,12 @@ typedef struct
 	bool correct_division;             // supports -cl-fp32-correctly-rounded-divide-sqrt
 	bool own_rounding;                 // true: quotients and roots are rounded by dialect/own_rounding.h
 	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; imports memory by file descriptor
-	bool compiles_at_launch; // true for PoCL, which has its own cache: programs are not stored in that of cache.c
-	size_t local_memory;     // bytes per work-group
-	cl_int error;            // code of the first query of the device that failed; CL_SUCCESS: none
-	bool usable;             // false: Scree cannot use the device with any option; about.reason states the reason
-	Digest verdict_key;      // key of the verdict on the device (verdict.h)
+	bool compiles_at_launch;    // true for PoCL, which has its own cache: programs are not stored in that of cache.c
+	size_t local_memory;        // bytes per work-group
+	cl_int error;               // code of the first query of the device that failed; CL_SUCCESS: none
+	const char* error_function; // name of the function that returned `error`
+	bool usable;                // false: Scree cannot use the device with any option; about.reason states the reason
+	Digest verdict_key;         // key of the verdict on the device (verdict.h)
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions; part of the key of the program cache
 	scree_device about; // the entry that scree_devices_get returns

@@ -31,7 +31,7 @@ static void opencl_close(Backend* b)
 	if (d)
 	{
 		if (d->queue)
-			finish(d); // errors are ignored, because the world is being destroyed
+			finish_to_close(d);
 		tiles_close(d);
 		relay_close(d);
 		persistent_close(d);

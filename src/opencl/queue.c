@@ -72,6 +72,12 @@ scree_status finish(OpenCl* d)
 	return add_laps(d, status);
 }
 
+void finish_to_close(OpenCl* d)
+{
+	if (!context_failed(d->failure) && finish(d) != SCREE_OK)
+		log_sentence(SCREE_LOG_WARNING, "%s is closed: %s", d->device.about.name, scree_error());
+}
+
 scree_status opencl_timings(Backend* b, double milliseconds[STAGE_COUNT])
 {
 	OpenCl* d = b->state;

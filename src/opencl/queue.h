@@ -31,6 +31,9 @@ scree_status queue_finish(OpenCl* d, cl_command_queue queue);
 // Waits for the queue of the device, and adds up the times of the launches.
 scree_status finish(OpenCl* d);
 
+// Waits as finish does, for a device that is being closed; logs an error.
+void finish_to_close(OpenCl* d);
+
 scree_status opencl_timings(Backend* b, double milliseconds[STAGE_COUNT]);
 
 #endif

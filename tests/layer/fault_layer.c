@@ -14,6 +14,7 @@ typedef struct // an object and its context; a context is its own context
 	const void* context;
 	int function;     // function that created the object
 	bool lost, hangs; // valid for contexts
+	cl_int state;     // if `hangs` is true: execution status of its commands
 } Object;
 
 static Object objects[PLACES];
@@ -92,10 +93,11 @@ void layer_gone(const void* object)
 	place->object = &removed;
 }
 
-bool layer_hangs(const void* object)
+// Returns the execution status of a command. state: that of OpenCL.
+cl_int layer_state(const void* object, cl_int state)
 {
 	const Object* context = context_of(object);
-	return context && context->hangs;
+	return context && context->hangs ? context->state : state;
 }
 
 bool layer_is_lost(const void* object)
@@ -125,14 +127,17 @@ cl_int layer_before(int function, const void* object, bool blocks)
 	if (counts && layer->calls_left >= 0 && layer->calls_left-- == 0)
 	{
 		layer->failed = names[function];
-		if (layer->fault != LAYER_HANGS)
+		if (layer->fault == LAYER_ERROR || layer->fault == LAYER_LOST)
 		{
 			if (context)
 				context->lost = layer->fault == LAYER_LOST;
 			return layer->code;
 		}
 		if (context)
+		{
 			context->hangs = true;
+			context->state = layer->fault == LAYER_HANGS ? CL_RUNNING : layer->code;
+		}
 	}
 	return context && context->hangs && blocks ? violation(function) : CL_SUCCESS;
 }

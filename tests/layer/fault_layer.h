@@ -20,6 +20,7 @@ typedef enum
 	LAYER_ERROR, // the call returns `code` and does nothing; releases release the object all the same
 	LAYER_LOST,  // the same, and the context is lost: later calls with its objects are violations, and return `code`
 	LAYER_HANGS, // the call succeeds; commands of its context never end from then on
+	LAYER_FAILS, // the call succeeds; commands of its context end with `code` from then on
 } LayerFault;
 
 typedef struct
@@ -38,6 +39,7 @@ typedef struct
 	long violations;        // calls with objects of a lost context, and calls that would block for ever
 	const char* violation;  // function of the last violation
 	long unknown;           // releases of objects that do not exist
+	bool renames;           // written by the test: true: all platforms have another name, "Fault layer"
 	int contexts, programs; // numbers of objects that exist
 	int others;             // number of all other objects, events included
 
@@ -51,8 +53,9 @@ typedef struct
 cl_int layer_before(int function, const void* object, bool blocks);
 void layer_made(const void* object, const void* parent, int function);
 void layer_gone(const void* object);
-bool layer_hangs(const void* object);
+cl_int layer_state(const void* object, cl_int state);
 bool layer_is_lost(const void* object);
 extern OpenClFunctions layer_real;
+extern FaultLayer fault_layer;
 
 #endif
