@@ -9,6 +9,7 @@
 // SCREE_FAULTS is the number of calls of each function that fail in each way; "all": each call, and every 97th of
 // clSetKernelArg.
 #include "layer/fault_layer.h"
+#include "opencl/compile.h"
 #include "opencl/verdict.h"
 #include "support/environment.h"
 #include "support/fault_acts.h"
@@ -95,7 +96,7 @@ static bool is_tolerated(scree_status status, const char* act, Kind kind)
 		fail_msg("%s succeeds although call %ld, %s, failed", act, layer->fault_at, layer->failed);
 	const char* error = kind.fault == LAYER_HANGS ? "has not ended within" : opencl_error_name(kind.code);
 	const char* function = kind.fault >= LAYER_HANGS ? "clGetEventInfo" : layer->failed;
-	bool named = strstr(scree_error(), error) && (strstr(scree_error(), function) || layer->renames);
+	bool named = strstr(scree_error(), error) && strstr(scree_error(), function);
 	if (!named && !logged)
 		fail_msg("%s: call %ld, %s, failed, and the message is \"%s\"", act, layer->fault_at, layer->failed,
 		         scree_error());
@@ -155,7 +156,7 @@ static void count_calls(long calls[LAYER_FUNCTIONS])
 static long sites_of(int function, long calls)
 {
 	const char* chosen = getenv("SCREE_FAULTS");
-	long most = chosen ? atol(chosen) : 2;
+	long most = chosen ? atol(chosen) : 1;
 	if (chosen && strcmp(chosen, "all") == 0)
 		most = function == LAYER_SetKernelArg ? calls / 97 : calls;
 	return most < calls ? most : calls;
@@ -208,15 +209,14 @@ static void open_with_fault(Kind kind, long calls)
 	scree_world_destroy(world);
 }
 
-// folder: that of the cache, or "" for none.
-static void open_with_faults(const char* folder, long runs)
+// Devices are tested at their first opening.
+static void devices_open_with_faults(void** state)
 {
+	(void)state;
+	NEEDS_SECOND_DEVICE();
+	const char* chosen = getenv("SCREE_FAULTS");
+	long runs = !chosen ? 1 : strcmp(chosen, "all") == 0 ? 100 : atol(chosen);
 	scree_world* world;
-	set_environment("SCREE_CACHE", folder);
-	layer->renames = *folder; // the cache stores no programs of PoCL
-	verdict_forget();
-	OK(open_one(&world, PATIENT));
-	scree_world_destroy(world);
 	verdict_forget();
 	long before = layer->calls;
 	OK(open_one(&world, PATIENT));
@@ -225,25 +225,60 @@ static void open_with_faults(const char* folder, long runs)
 	for (int kind = 0; kind < KINDS; ++kind)
 		for (long k = 0; k < runs; ++k, ++tried)
 			open_with_fault(kinds[kind], (KINDS * k + kind) * calls / (runs * KINDS));
-	print_message("%ld faults at the opening of a device, %s; it makes %ld calls\n", tried,
-	              *folder ? "with a cache" : "which is tested", calls);
-	layer->renames = false;
-	set_environment("SCREE_CACHE", "");
+	print_message("%ld faults at the first opening of a device, which makes %ld calls\n", tried, calls);
 }
 
-static void devices_open_with_faults(void** state)
+// Builds a program with one fault. Returns whether there was one. Without a program, the message names the error.
+static bool build_with_fault(const Device* device, Kind kind, long calls)
+{
+	static const char text[] = "kernel void one(global int* x) { *x = 1; }";
+	ContextFailure failure = 0;
+	cl_int error;
+	cl_program program;
+	cl_context context = opencl.CreateContext(NULL, 1, &device->id, NULL, NULL, &error);
+	assert_int_equal(error, CL_SUCCESS);
+	begin_fault(kind, -1, calls);
+	scree_status status = program_build(&failure, context, device, "", text, sizeof text - 1, &program);
+	assert_true((status == SCREE_OK) == (program != NULL));
+	bool failed = layer->failed;
+	if (status != SCREE_OK)
+		assert_non_null(strstr(scree_error(), opencl_error_name(kind.code)));
+	else if (failed)
+		assert_non_null(strstr(warnings, opencl_error_name(kind.code)));
+	RELEASE(&failure, Program, program);
+	RELEASE(&failure, Context, context);
+	end_fault();
+	return failed;
+}
+
+static void cached_programs_fail(void** state)
 {
 	(void)state;
 	NEEDS_SECOND_DEVICE();
-	const char* chosen = getenv("SCREE_FAULTS");
-	long runs = !chosen ? 1 : strcmp(chosen, "all") == 0 ? 100 : atol(chosen);
-	char folder[] = "/tmp/scree_faults_XXXXXX";
-	assert_non_null(mkdtemp(folder));
-	open_with_faults("", runs);
-	open_with_faults(folder, runs);
-	char command[64];
-	snprintf(command, sizeof command, "rm -r %s", folder);
-	assert_int_equal(system(command), 0);
+	Device device;
+	BackendOptions options = {.device = second_device + strlen("opencl:")};
+	OK(device_choose(&options, &device));
+	device.compiles_at_launch = false; // otherwise its programs are not stored
+	int faults = 0;
+	for (int cached = 0; cached < 2; ++cached)
+		for (int kind = 0; kind < KINDS && kinds[kind].fault <= LAYER_LOST; ++kind)
+			for (bool failed = true; failed;)
+			{
+				static long calls;
+				char folder[] = "/tmp/scree_faults_XXXXXX", command[64];
+				assert_non_null(mkdtemp(folder));
+				set_environment("SCREE_CACHE", folder);
+				if (cached)
+					build_with_fault(&device, kinds[kind], 1000);
+				failed = build_with_fault(&device, kinds[kind], calls);
+				calls = failed ? calls + 1 : 0;
+				faults += failed;
+				snprintf(command, sizeof command, "rm -r %s", folder);
+				assert_true(system(command) >= 0);
+			}
+	set_environment("SCREE_CACHE", "");
+	print_message("%d faults in programs and their cache\n", faults);
+	assert_true(faults > 20);
 }
 
 static int begin(void** state)
@@ -298,6 +333,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(each_call_fails),
 	    cmocka_unit_test(devices_open_with_faults),
+	    cmocka_unit_test(cached_programs_fail),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -39,7 +39,6 @@ typedef struct
 	long violations;        // calls with objects of a lost context, and calls that would block for ever
 	const char* violation;  // function of the last violation
 	long unknown;           // releases of objects that do not exist
-	bool renames;           // written by the test: true: all platforms have another name, "Fault layer"
 	int contexts, programs; // numbers of objects that exist
 	int others;             // number of all other objects, events included
 

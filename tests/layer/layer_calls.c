@@ -6,7 +6,6 @@
 #include "opencl/loader.h"
 #pragma GCC visibility pop
 #include "layer/fault_layer.h"
-#include <stdio.h>
 
 static cl_int noted(cl_int code, cl_event* event, const void* queue, int function)
 {
@@ -68,15 +67,6 @@ void* clEnqueueMapBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocks, 
 	void* memory = layer_real.EnqueueMapBuffer(queue, buffer, blocks, flags, offset, bytes, count, list, event, error);
 	noted(*error, event, queue, LAYER_EnqueueMapBuffer);
 	return memory;
-}
-
-cl_int clGetPlatformInfo(cl_platform_id platform, cl_platform_info what, size_t size, void* value, size_t* used)
-{
-	cl_int code = layer_before(LAYER_GetPlatformInfo, NULL, false);
-	code = code ? code : layer_real.GetPlatformInfo(platform, what, size, value, used);
-	if (code == CL_SUCCESS && fault_layer.renames && what == CL_PLATFORM_NAME && value)
-		snprintf(value, size, "Fault layer");
-	return code;
 }
 
 void* clGetExtensionFunctionAddressForPlatform(cl_platform_id platform, const char* name)
