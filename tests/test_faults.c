@@ -8,7 +8,7 @@
 #include "support/allocations.h"
 #include "support/fault_acts.h"
 #include "support/faulty_device.h"
-#include "support/make_bodies.h"
+#include "support/second_device.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
 #include <float.h>
@@ -37,12 +37,12 @@ static void expect(bool timings)
 // memory runs out
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs the scenario with one failing allocation. allocations: number of allocations that succeed before this one.
+// Runs the scenario with one failing allocation. device: null for the CPU. allocations: number of allocations that succeed before this one.
 // again: true repeats the failed act; false takes a few steps in place of the remaining acts. Returns whether an
 // allocation failed. *broken: increased by 1 if the world broke.
-static bool run_with_little_memory(int allocations, bool again, int* broken)
+static bool run_with_little_memory(const char* device, int allocations, bool again, int* broken)
 {
-	FaultRun s = {0};
+	FaultRun s = {.device = device};
 	bool failed = false;
 	allocations_left = allocations;
 	for (int k = 0; k < FAULT_ACTS; ++k)
@@ -91,13 +91,29 @@ static void memory_runs_out(void** state)
 	(void)state;
 	count_allocations();
 	expect(false);
-	int faults = 0, broken = 0;
-	while (run_with_little_memory(faults, true, &broken))
+	int faults = 0, broken = 0, others = 0, ignored = 0;
+	while (run_with_little_memory(NULL, faults, true, &broken))
 		faults += stride();
-	for (int k = 0; k < faults; k += stride())
-		assert_true(run_with_little_memory(k, false, &broken));
-	print_message("memory ran out in %d places; %d worlds broke\n", faults / stride(), broken / 2);
-	assert_true(faults > 100 && broken > 0 && broken < faults);
+	for (int k = 0; k < faults; k += 4 * stride(), ++others)
+		assert_true(run_with_little_memory(NULL, k, false, &ignored));
+	print_message("memory ran out in %d places; %d worlds broke\n", faults / stride(), broken);
+	assert_true(others > 20 && faults > 100 && broken > 0 && broken < faults);
+	OK(scree_hooks_set(NULL));
+}
+
+// Worlds on OpenCL devices, which move to the CPU and back. SCREE_FAULTS=all: every allocation fails in turn.
+static void memory_runs_out_on_opencl(void** state)
+{
+	(void)state;
+	NEEDS_SECOND_DEVICE();
+	const char* chosen = getenv("SCREE_FAULTS");
+	int distance = chosen && strcmp(chosen, "all") == 0 ? 1 : 61, at = 0, tried = 0, broken = 0;
+	count_allocations();
+	expect(false);
+	for (; run_with_little_memory(second_device, at, tried % 3 != 0, &broken); at += distance)
+		++tried;
+	print_message("memory ran out in %d of %d places; %d worlds broke\n", tried, at, broken);
+	assert_true(tried > 10 && broken < tried);
 	OK(scree_hooks_set(NULL));
 }
 
@@ -176,8 +192,9 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(memory_runs_out),
+	    cmocka_unit_test(memory_runs_out_on_opencl),
 	    cmocka_unit_test(device_falls),
 	    cmocka_unit_test(device_memory_runs_out),
 	};
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }
