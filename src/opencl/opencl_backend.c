@@ -236,8 +236,8 @@ static scree_status opencl_keep(Backend* b, PoolId pool, int first, int count, i
 	if (count == 0)
 		return SCREE_OK;
 	d->tiles.stale |= back;
-	return CALL(EnqueueCopyBuffer, d->queue, back ? saved : buffer, back ? buffer : saved, back ? there : here,
-	            back ? here : there, bytes * (size_t)count, 0, NULL, NULL);
+	return CALL(d->failure, EnqueueCopyBuffer, d->queue, back ? saved : buffer, back ? buffer : saved,
+	            back ? there : here, back ? here : there, bytes * (size_t)count, 0, NULL, NULL);
 }
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }

@@ -34,17 +34,17 @@ typedef struct
 {
 	const char* name;
 	Act act;
-	bool several; // as in fault_acts.def
+	bool several, opens; // as in fault_acts.def
 } FaultAct;
 
-#define ACT(name, several) scree_status name(FaultRun* s);
+#define ACT(name, several, opens) scree_status name(FaultRun* s);
 #include "support/fault_acts.def"
 #undef ACT
 
 enum
 {
 	FAULT_ACTS = 0
-#define ACT(name, several) +1
+#define ACT(name, several, opens) +1
 #include "support/fault_acts.def"
 #undef ACT
 };

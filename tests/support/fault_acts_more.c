@@ -200,6 +200,10 @@ scree_status act_snapshot(FaultRun* s)
 
 scree_status act_restore(FaultRun* s) { return scree_world_restore(s->world, s->saved, s->saved_size); }
 
+scree_status act_save(FaultRun* s) { return scree_world_save(s->world, 3); }
+scree_status act_load(FaultRun* s) { return scree_world_load(s->world, 3); }
+scree_status act_discard(FaultRun* s) { return scree_world_discard(s->world, 3); }
+
 scree_status act_clone(FaultRun* s)
 {
 	scree_world* clone;
@@ -222,7 +226,7 @@ void fault_run_end(FaultRun* s)
 }
 
 const FaultAct fault_acts[FAULT_ACTS] = {
-#define ACT(name, several) {#name, name, several},
+#define ACT(name, several, opens) {#name, name, several, opens},
 #include "support/fault_acts.def"
 #undef ACT
 };
@@ -230,11 +234,14 @@ const FaultAct fault_acts[FAULT_ACTS] = {
 void check_broken(FaultRun* s, scree_status status)
 {
 	static const Act refused[] = {
-	    act_more_attributes, act_slab,     act_forces,        act_step,         act_contacts, act_overlaps,
-	    act_counters,        act_free,     act_timings,       act_filter,       act_mass,     act_look,
-	    act_enable,          act_target,   act_body_contacts, act_rays,         act_casts,    act_nearest,
-	    act_listed,          act_moved,    act_states,        act_destroy,      act_rows,     act_blast,
-	    act_awake,           act_snapshot, act_move_back,     act_joint_events, act_dress,    act_movers,
+	    act_more_attributes, act_slab,     act_forces,        act_step,
+	    act_contacts,        act_overlaps, act_counters,      act_free,
+	    act_timings,         act_filter,   act_mass,          act_look,
+	    act_enable,          act_target,   act_body_contacts, act_rays,
+	    act_casts,           act_nearest,  act_listed,        act_moved,
+	    act_states,          act_destroy,  act_rows,          act_blast,
+	    act_awake,           act_snapshot, act_move_back,     act_joint_events,
+	    act_dress,           act_save,     act_load,          act_movers,
 	    act_clone,           act_material, act_exclude,       act_field,
 	};
 	for (size_t k = 0; k < sizeof refused / sizeof *refused; ++k)
