@@ -66,7 +66,7 @@ typedef struct
 	cl_program program;
 	cl_kernel kernel;
 	cl_mem buffer;
-	cl_event event, unmapped; // of the commands that map and unmap the buffer
+	cl_event event, unmapped; // events of the commands that map and unmap the buffer
 	ContextFailure failure;
 } Objects;
 

@@ -21,7 +21,7 @@ typedef struct
 	char options[PROGRAM_OPTIONS];
 	int worlds;             // number of worlds that use the context
 	bool stays;             // true: the context is kept when no world uses it
-	ContextFailure failure; // of these worlds, and of the context until no world uses it
+	ContextFailure failure; // failure of the context, which its worlds share
 } SharedContext;
 
 extern const char opencl_program[]; // text of the program, written by cmake/embed.cmake

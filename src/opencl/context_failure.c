@@ -9,7 +9,7 @@
 #include "platform/system.h"
 #include <math.h>
 
-// ms: first part of a wait, in which a thread that waits for a GPU asks its driver again and again, as blocking calls of
+// ms: first part of a wait, in which a thread reads the state of a command of a GPU without a pause, as blocking calls of
 // NVIDIA do. A longer wait sleeps for a fraction of the time that has passed.
 #define SPIN_MILLISECONDS 20.0
 #define SLEEP_SHARE       (1.0 / 32)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// context_failure.h -- calls OpenCL functions with objects of a context, and makes no more such calls after it failed.
+// context_failure.h -- calls OpenCL functions with objects of a context until the context fails.
 #ifndef CONTEXT_FAILURE_H
 #define CONTEXT_FAILURE_H
 #include "opencl/loader.h"

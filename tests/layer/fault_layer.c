@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fault_layer.c -- decides which OpenCL call fails, and knows the context of every object.
+// fault_layer.c -- decides which OpenCL call fails, and stores the context of every object.
 #include "layer/fault_layer.h"
 #include <dlfcn.h>
 #include <stdint.h>
