@@ -42,6 +42,7 @@ static void world_definitions(void** state)
 	DEF(hit_impulse = NAN, "def.hit_impulse is nan");
 	DEF(body_capacity = -5, "def.body_capacity is -5");
 	DEF(contact_capacity = INT32_MAX, "def.contact_capacity is 2147483647");
+	DEF(device_timeout = -1.0f, "def.device_timeout is -1, must be from 0 to INFINITY");
 	DEF(contact_limit = -1, "def.contact_limit is -1, must be from 0 to 134217728");
 #undef DEF
 	def = scree_world_def_default();
