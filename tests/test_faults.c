@@ -83,8 +83,8 @@ static bool run_with_little_memory(const char* device, int allocations, bool aga
 	return failed;
 }
 
-// Returns the distance between the numbers of the failing calls in two successive runs: 1, or 3 in quick builds.
-static int stride(void) { return quick() ? 3 : 1; }
+// Returns the distance between the numbers of the failing calls in two successive runs: 1, or 7 in quick builds.
+static int stride(void) { return quick() ? 7 : 1; }
 
 static void memory_runs_out(void** state)
 {
