@@ -25,6 +25,7 @@ typedef struct // an enqueued command whose time has not been read
 typedef struct PaperOpenCl
 {
 	Device device;
+	ContextFailure failure;
 	cl_context context;
 	cl_command_queue queue; // runs commands in order; barriers have no effect, but are in the paper
 	cl_program program;
@@ -38,13 +39,13 @@ typedef struct PaperOpenCl
 // Waits for all commands. Adds the time of each command to the sum of milliseconds that the command names.
 static scree_status finish(PaperOpenCl* d)
 {
-	scree_status status = CALL(Finish, d->queue);
+	scree_status status = CALL(&d->failure, Finish, d->queue);
 	for (int i = 0; i < d->command_count; ++i)
 	{
 		cl_ulong begin = 0, end = 0; // ns
 		opencl.GetEventProfilingInfo(d->commands[i].event, CL_PROFILING_COMMAND_START, sizeof begin, &begin, NULL);
 		opencl.GetEventProfilingInfo(d->commands[i].event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL);
-		opencl.ReleaseEvent(d->commands[i].event);
+		RELEASE(&d->failure, Event, d->commands[i].event);
 		*d->commands[i].milliseconds += 1e-6 * (double)(end - begin);
 	}
 	d->command_count = 0;
@@ -65,7 +66,10 @@ static scree_status add_command(PaperOpenCl* d, scree_status status)
 	return status;
 }
 
-static scree_status barrier(PaperOpenCl* d) { return CALL(EnqueueBarrierWithWaitList, d->queue, 0, NULL, NULL); }
+static scree_status barrier(PaperOpenCl* d)
+{
+	return CALL(&d->failure, EnqueueBarrierWithWaitList, d->queue, 0, NULL, NULL);
+}
 
 static scree_status to_device(Paper* paper, PaperPoolId pool)
 {
@@ -74,8 +78,8 @@ static scree_status to_device(Paper* paper, PaperPoolId pool)
 	if (host.bytes == 0)
 		return SCREE_OK;
 	cl_event* event = next_command(d, &paper->timings.to_device);
-	return add_command(
-	    d, CALL(EnqueueWriteBuffer, d->queue, d->buffers[pool], CL_FALSE, 0, host.bytes, host.memory, 0, NULL, event));
+	return add_command(d, CALL(&d->failure, EnqueueWriteBuffer, d->queue, d->buffers[pool], CL_FALSE, 0, host.bytes,
+	                           host.memory, 0, NULL, event));
 }
 
 static scree_status from_device(Paper* paper, PaperPoolId pool, size_t bytes)
@@ -84,7 +88,7 @@ static scree_status from_device(Paper* paper, PaperPoolId pool, size_t bytes)
 	if (bytes == 0)
 		return SCREE_OK;
 	cl_event* event = next_command(d, &paper->timings.from_device);
-	return add_command(d, CALL(EnqueueReadBuffer, d->queue, d->buffers[pool], CL_FALSE, 0, bytes,
+	return add_command(d, CALL(&d->failure, EnqueueReadBuffer, d->queue, d->buffers[pool], CL_FALSE, 0, bytes,
 	                           paper_memory(paper, pool).memory, 0, NULL, event));
 }
 
@@ -107,12 +111,13 @@ static scree_status launch(Paper* paper, PaperStageId stage)
 
 	cl_kernel kernel = d->kernels[stage];
 	for (cl_uint i = 0; i < PAPER_POOL_COUNT; ++i)
-		TRY(CALL(SetKernelArg, kernel, i, sizeof d->buffers[i], &d->buffers[i]));
-	TRY(CALL(SetKernelArg, kernel, PAPER_POOL_COUNT, sizeof paper->pools.step, &paper->pools.step));
-	TRY(CALL(SetKernelArg, kernel, PAPER_POOL_COUNT + 1, sizeof items[stage], &items[stage]));
+		TRY(CALL(&d->failure, SetKernelArg, kernel, i, sizeof d->buffers[i], &d->buffers[i]));
+	TRY(CALL(&d->failure, SetKernelArg, kernel, PAPER_POOL_COUNT, sizeof paper->pools.step, &paper->pools.step));
+	TRY(CALL(&d->failure, SetKernelArg, kernel, PAPER_POOL_COUNT + 1, sizeof items[stage], &items[stage]));
 	size_t group = d->groups[stage], size = ((size_t)items[stage] + group - 1) / group * group;
 	cl_event* event = next_command(d, milliseconds[stage]);
-	TRY(add_command(d, CALL(EnqueueNDRangeKernel, d->queue, kernel, 1, NULL, &size, &group, 0, NULL, event)));
+	TRY(add_command(d,
+	                CALL(&d->failure, EnqueueNDRangeKernel, d->queue, kernel, 1, NULL, &size, &group, 0, NULL, event)));
 	return barrier(d);
 }
 
@@ -120,11 +125,10 @@ static scree_status create_buffer(Paper* paper, PaperPoolId pool)
 {
 	PaperOpenCl* d = paper->opencl;
 	size_t bytes = paper_memory(paper, pool).bytes;
-	if (d->buffers[pool])
-		opencl.ReleaseMemObject(d->buffers[pool]);
+	RELEASE(&d->failure, MemObject, d->buffers[pool]);
 	cl_int error;
 	// each kernel argument needs a buffer, even if the pool is empty
-	d->buffers[pool] = opencl.CreateBuffer(d->context, CL_MEM_READ_WRITE, bytes ? bytes : 1, NULL, &error);
+	CREATE(&d->failure, d->buffers[pool], error, Buffer, d->context, CL_MEM_READ_WRITE, bytes ? bytes : 1, NULL);
 	if (!error)
 		return SCREE_OK;
 	d->buffers[pool] = NULL;
@@ -178,11 +182,11 @@ static scree_status create_kernel(PaperOpenCl* d, PaperStageId stage)
 #undef X
 	};
 	cl_int error;
-	d->kernels[stage] = opencl.CreateKernel(d->program, names[stage], &error);
-	TRY(opencl_check("clCreateKernel", error));
+	CREATE(&d->failure, d->kernels[stage], error, Kernel, d->program, names[stage]);
+	TRY(context_check(&d->failure, "clCreateKernel", error));
 	size_t most = 1;
-	TRY(CALL(GetKernelWorkGroupInfo, d->kernels[stage], d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
-	         NULL));
+	TRY(CALL(&d->failure, GetKernelWorkGroupInfo, d->kernels[stage], d->device.id, CL_KERNEL_WORK_GROUP_SIZE,
+	         sizeof most, &most, NULL));
 	d->groups[stage] = most < GROUP ? most : GROUP;
 	return SCREE_OK;
 }
@@ -198,11 +202,11 @@ scree_status paper_opencl_open(Paper* paper, const char* part, bool allow_unequa
 
 	cl_int error;
 	cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
-	d->context = opencl.CreateContext(properties, 1, &d->device.id, NULL, NULL, &error);
-	TRY(opencl_check("clCreateContext", error));
-	d->queue = opencl.CreateCommandQueue(d->context, d->device.id, CL_QUEUE_PROFILING_ENABLE, &error);
-	TRY(opencl_check("clCreateCommandQueue", error));
-	TRY(program_build(d->context, &d->device, "", paper_program, paper_program_length, &d->program));
+	CREATE(&d->failure, d->context, error, Context, properties, 1, &d->device.id, NULL, NULL);
+	TRY(context_check(&d->failure, "clCreateContext", error));
+	CREATE(&d->failure, d->queue, error, CommandQueue, d->context, d->device.id, CL_QUEUE_PROFILING_ENABLE);
+	TRY(context_check(&d->failure, "clCreateCommandQueue", error));
+	TRY(program_build(&d->failure, d->context, &d->device, "", paper_program, paper_program_length, &d->program));
 	for (int i = 0; i < PAPER_STAGE_COUNT; ++i)
 		TRY(create_kernel(d, (PaperStageId)i));
 	for (int i = 0; i < PAPER_POOL_COUNT; ++i)
@@ -218,17 +222,12 @@ void paper_opencl_close(Paper* paper)
 	if (d->queue)
 		finish(d); // a failure is ignored, because the device is being closed
 	for (int i = 0; i < PAPER_POOL_COUNT; ++i)
-		if (d->buffers[i])
-			opencl.ReleaseMemObject(d->buffers[i]);
+		RELEASE(&d->failure, MemObject, d->buffers[i]);
 	for (int i = 0; i < PAPER_STAGE_COUNT; ++i)
-		if (d->kernels[i])
-			opencl.ReleaseKernel(d->kernels[i]);
-	if (d->program)
-		opencl.ReleaseProgram(d->program);
-	if (d->queue)
-		opencl.ReleaseCommandQueue(d->queue);
-	if (d->context)
-		opencl.ReleaseContext(d->context);
+		RELEASE(&d->failure, Kernel, d->kernels[i]);
+	RELEASE(&d->failure, Program, d->program);
+	RELEASE(&d->failure, CommandQueue, d->queue);
+	RELEASE(&d->failure, Context, d->context);
 	scree_release(d);
 	paper->opencl = NULL;
 }
