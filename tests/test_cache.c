@@ -125,7 +125,8 @@ static void long_paths_are_whole(void** state)
 static int built(const Device* device, cl_context context, const char* text, const char* kernel_name)
 {
 	cl_program program = NULL;
-	if (program_build(context, device, "", text, strlen(text), &program))
+	ContextFailure failure = 0;
+	if (program_build(&failure, context, device, "", text, strlen(text), &program))
 		return 0;
 	cl_int error;
 	cl_kernel kernel = opencl.CreateKernel(program, kernel_name, &error);
