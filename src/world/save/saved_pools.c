@@ -61,6 +61,13 @@ int64_t saved_pools_count(const scree_world* world, bool structure, int counts[P
 	return sum;
 }
 
+// Returns the number of items that may differ from those of a new world. Places of contacts keep those of earlier layouts,
+// whose padding names collidables.
+static int used_items(const scree_world* world, Per per)
+{
+	return per == PER_CONTACT_PLACE ? world->backend->capacity[per] : lasting_items(world, per);
+}
+
 scree_status saved_pools_copy(scree_world* world, bool structure, SavedRange range, const int counts[POOL_COUNT],
                               const int leaves[2], bool back)
 {
@@ -70,7 +77,7 @@ scree_status saved_pools_copy(scree_world* world, bool structure, SavedRange ran
 	{
 		if (!is_saved((PoolId)pool, structure))
 			continue;
-		int used = back ? lasting_items(world, pool_info[pool].per) : 0;
+		int used = back ? used_items(world, pool_info[pool].per) : 0;
 		TRY(b->f->keep(b, (PoolId)pool, 0, counts[pool], at, back));
 		if (used > counts[pool]) // items that the world has gained since
 			TRY(b->f->clear(b, (PoolId)pool, counts[pool], used - counts[pool]));
