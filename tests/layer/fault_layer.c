@@ -12,9 +12,11 @@ typedef struct // an object and its context; a context is its own context
 {
 	const void* object; // null: free; `removed`: free, and a search goes on behind it
 	const void* context;
-	int function;     // function that created the object
-	bool lost, hangs; // valid for contexts
-	cl_int state;     // if `hangs` is true: execution status of its commands
+	int function;           // function that created the object
+	bool lost, hangs;       // valid for contexts
+	cl_command_queue queue; // of the command that mapped the buffer
+	void* mapped;           // memory of a buffer that is mapped, or null
+	cl_int state;           // if `hangs` is true: execution status of its commands
 } Object;
 
 static Object objects[PLACES];
@@ -91,6 +93,13 @@ void layer_gone(const void* object)
 	}
 	--*number_of(place);
 	place->object = &removed;
+}
+
+void layer_mapped(const void* buffer, cl_command_queue queue, void* memory)
+{
+	Object* place = place_of(buffer, false);
+	place->queue = queue;
+	place->mapped = memory;
 }
 
 // Returns the execution status of a command. state: that of OpenCL.
@@ -189,6 +198,14 @@ static void each_lost(int function, void (*apply)(const Object* object))
 	}
 }
 
+// PoCL keeps a buffer that is mapped.
+static void unmap(const Object* buffer)
+{
+	if (buffer->mapped)
+		layer_real.EnqueueUnmapMemObject(buffer->queue, (cl_mem)(uintptr_t)buffer->object, buffer->mapped, 0, NULL,
+		                                 NULL);
+}
+
 static void finish(const Object* queue) { layer_real.Finish((cl_command_queue)(uintptr_t)queue->object); }
 
 static void drop(const Object* object)
@@ -199,6 +216,7 @@ static void drop(const Object* object)
 
 static void forget(void)
 {
+	each_lost(LAYER_CreateBuffer, unmap);
 	each_lost(LAYER_CreateCommandQueue, finish);
 	each_lost(-1, drop);
 	each_lost(LAYER_CreateContext, drop);

@@ -52,6 +52,7 @@ typedef struct
 cl_int layer_before(int function, const void* object, bool blocks);
 void layer_made(const void* object, const void* parent, int function);
 void layer_gone(const void* object);
+void layer_mapped(const void* buffer, cl_command_queue queue, void* memory); // memory: null after an unmap
 cl_int layer_state(const void* object, cl_int state);
 bool layer_is_lost(const void* object);
 extern OpenClFunctions layer_real;

@@ -58,6 +58,17 @@ cl_int clGetEventInfo(cl_event event, cl_event_info what, size_t size, void* val
 	return code;
 }
 
+cl_int clEnqueueUnmapMemObject(cl_command_queue queue, cl_mem buffer, void* memory, cl_uint count, const cl_event* list,
+                               cl_event* event)
+{
+	cl_int code = layer_before(LAYER_EnqueueUnmapMemObject, queue, false);
+	if (code)
+		return code;
+	layer_mapped(buffer, NULL, NULL);
+	return noted(layer_real.EnqueueUnmapMemObject(queue, buffer, memory, count, list, event), event, queue,
+	             LAYER_EnqueueUnmapMemObject);
+}
+
 void* clEnqueueMapBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocks, cl_map_flags flags, size_t offset,
                          size_t bytes, cl_uint count, const cl_event* list, cl_event* event, cl_int* error)
 {
@@ -66,6 +77,8 @@ void* clEnqueueMapBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocks, 
 		return NULL;
 	void* memory = layer_real.EnqueueMapBuffer(queue, buffer, blocks, flags, offset, bytes, count, list, event, error);
 	noted(*error, event, queue, LAYER_EnqueueMapBuffer);
+	if (memory)
+		layer_mapped(buffer, queue, memory);
 	return memory;
 }
 
