@@ -14,7 +14,7 @@ typedef struct // an object and its context; a context is its own context
 	const void* context;
 	int function;           // function that created the object
 	bool lost, hangs;       // valid for contexts
-	cl_command_queue queue; // of the command that mapped the buffer
+	cl_command_queue queue; // queue of the command that mapped the buffer
 	void* mapped;           // memory of a buffer that is mapped, or null
 	cl_int state;           // if `hangs` is true: execution status of its commands
 } Object;
