@@ -39,7 +39,9 @@ static void close_queries(const Queries* queries)
 void world_destroy(scree_world* world)
 {
 	auto_close(world);
+#ifndef SCREE_SMALL // the package for WebAssembly has no saves
 	saves_close(world);
+#endif
 	pipeline_close(&world->pipeline);
 	if (world->backend)
 		world->backend->f->close(world->backend);
