@@ -46,11 +46,8 @@ static void rolls_back_on(const Scenario* scenario, const char* device, int thre
 		}
 	}
 	OK(scree_world_load(world, 0));
-	Saved after = save(world);
-	assert_int_equal(after.size, before.size);
-	assert_memory_equal(after.bytes, before.bytes, before.size);
+	assert_snapshot(world, before);
 	free(before.bytes);
-	free(after.bytes);
 	scree_world_destroy(world);
 }
 
@@ -75,11 +72,9 @@ static void structure_comes_back(void** state)
 	for (int device = 0; device < 2 && (device == 0 || second_device[0]); ++device)
 	{
 		scree_world* world = open_world_on(device ? second_device : "cpu", 2, -10.0f);
-		scree_attribute_def attribute_def = scree_attribute_def_default();
-		scree_body_def body_def = scree_body_def_default();
+		scree_attribute_def disc = scree_attribute_def_default();
+		scree_body_def body_def = crate_def(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 		scree_body bodies[40], more;
-		OK(scree_shape_make_box(0.5f, 0.5f, &attribute_def.shape));
-		OK(scree_attribute_create(world, &attribute_def, &body_def.attribute));
 		for (int k = 0; k < 40; ++k)
 		{
 			body_def.pose.position = (scree_vec){(float)(k % 8), 1.1f * (float)(k / 8)};
@@ -87,29 +82,24 @@ static void structure_comes_back(void** state)
 			body_def.user = (uint64_t)k;
 			OK(scree_body_create(world, &body_def, bodies + k));
 		}
-		for (int k = 0; k < 20; ++k)
-			OK(scree_world_step(world, 1.0f / 60.0f, 4));
+		run_steps(world, 20);
 		OK(scree_world_save(world, 3));
 		Saved before = save(world);
 		OK(scree_body_set_user(world, bodies[12], 99));
 		OK(scree_body_set_damping(world, bodies[13], 1.0f, 1.0f));
 		OK(scree_bodies_destroy(world, bodies + 20, 10));
-		OK(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.3f, &attribute_def.shape));
-		OK(scree_attribute_create(world, &attribute_def, &body_def.attribute));
+		OK(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.3f, &disc.shape));
+		OK(scree_attribute_create(world, &disc, &body_def.attribute));
 		body_def.pose.position = (scree_vec){3.0f, 9.0f};
 		for (int k = 0; k < 300; ++k)
 			OK(scree_body_create(world, &body_def, &more));
-		for (int k = 0; k < 20; ++k)
-			OK(scree_world_step(world, 1.0f / 60.0f, 4));
+		run_steps(world, 20);
 		OK(scree_world_save(world, 4));
 		uint64_t later = hash_of(world), user;
 		for (int turn = 0; turn < 2; ++turn)
 		{
 			OK(scree_world_load(world, 3));
-			Saved after = save(world);
-			assert_int_equal(after.size, before.size);
-			assert_memory_equal(after.bytes, before.bytes, before.size);
-			free(after.bytes);
+			assert_snapshot(world, before);
 			OK(scree_body_get_user(world, bodies[12], &user));
 			assert_int_equal(user, 12);
 			assert_true(scree_body_is_valid(world, bodies[25]));
@@ -154,17 +144,13 @@ static void memory_runs_out(void** state)
 	(void)state;
 	count_allocations();
 	scree_world* world = open_world(-10.0f);
-	scree_attribute_def attribute_def = scree_attribute_def_default();
-	scree_body_def body_def = scree_body_def_default();
+	scree_body_def body_def = crate_def(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	scree_body body;
-	OK(scree_shape_make_box(0.5f, 0.5f, &attribute_def.shape));
-	OK(scree_attribute_create(world, &attribute_def, &body_def.attribute));
 	Saved small = save(world);
 	uint64_t first = hash_of(world);
 	for (int k = 0; k < 400; ++k)
 		OK(scree_body_create(world, &body_def, &body));
-	OK(scree_world_step(world, STEP, SUBSTEPS));
-	OK(scree_world_step(world, STEP, SUBSTEPS));
+	run_steps(world, 2);
 	uint64_t before = hash_of(world);
 	int failures = 0;
 	for (scree_status status = SCREE_ERROR_OUT_OF_MEMORY; status != SCREE_OK; ++failures)

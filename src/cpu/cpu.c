@@ -96,9 +96,7 @@ static const BackendFunctions functions = {
     .write = cpu_write,
     .read = cpu_read,
     .clear = cpu_clear,
-#ifndef SCREE_SMALL // the package for WebAssembly has no saves
     .keep = cpu_keep,
-#endif
     .read_begin = cpu_read_begin,
     .read_end = cpu_read_end,
     .batch = batch_whole,

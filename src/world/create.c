@@ -12,7 +12,6 @@
 #include "world/objects/paths.h"
 #include "world/objects/reports.h"
 #include "world/objects/sensors.h"
-#include "world/save_list.h"
 #include "world/world.h"
 #include <stdio.h>
 
@@ -39,9 +38,6 @@ static void close_queries(const Queries* queries)
 void world_destroy(scree_world* world)
 {
 	auto_close(world);
-#ifndef SCREE_SMALL // the package for WebAssembly has no saves
-	saves_close(world);
-#endif
 	pipeline_close(&world->pipeline);
 	if (world->backend)
 		world->backend->f->close(world->backend);

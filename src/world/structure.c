@@ -34,7 +34,10 @@ static bool moves_only(const Command* command)
 void structure_note(scree_world* world)
 {
 	const Edits* p = &world->edits;
-	bool changed = p->body_count + p->collidable_count + p->attribute_count + p->joint_count + p->path_count > 0;
+	if (!world->saves.list) // nothing has been saved
+		return;
+	bool changed = world->fields.stale || world->materials.waiting || world->exclusions.waiting ||
+	               p->body_count + p->collidable_count + p->attribute_count + p->joint_count + p->path_count > 0;
 	for (int k = 0; k < p->command_count && !changed; ++k)
 		changed = !moves_only(p->commands + k);
 	if (changed)

@@ -228,8 +228,6 @@ typedef struct // recordings of the calls that change a world (record/recorder.h
 	int depth;              // number of recorded calls in progress: one may make another, which is not recorded
 } Recorders;
 
-#define SAVES SCREE_SAVES
-
 typedef struct // a range of items of the pool `saved`
 {
 	int first, count;
@@ -256,8 +254,8 @@ typedef struct // a save of the user
 
 typedef struct
 {
-	Save saves[SAVES];
-	SavedStructure structures[SAVES + 1]; // one more, which a save fills before it gives up the one that it had
+	Save saves[SCREE_SAVES];
+	SavedStructure structures[SCREE_SAVES + 1]; // one more, which a save fills before it gives up the one that it had
 } SaveList;
 
 typedef struct

@@ -10,6 +10,21 @@
 // Defined by each target, and called by libFuzzer or by replay.c for each input. Aborts at a fault. Returns 0.
 int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size);
 
+// Defines the mutator of a target: of `share` mutations, all but one are those of `mutate`, which keeps the input well formed
+// and returns 0 if it cannot, and one is that of libFuzzer.
+#ifdef SCREE_LIBFUZZER
+size_t LLVMFuzzerMutate(uint8_t* bytes, size_t size, size_t most);
+size_t LLVMFuzzerCustomMutator(uint8_t* bytes, size_t size, size_t most, unsigned seed);
+#define FUZZ_MUTATOR(mutate, share)                                                         \
+	size_t LLVMFuzzerCustomMutator(uint8_t* bytes, size_t size, size_t most, unsigned seed) \
+	{                                                                                       \
+		size_t changed = seed % (share) > 0 ? mutate(bytes, size, most, seed) : 0;          \
+		return changed > 0 ? changed : LLVMFuzzerMutate(bytes, size, most);                 \
+	}
+#else
+#define FUZZ_MUTATOR(mutate, share)
+#endif
+
 extern int fuzz_accepted; // number of inputs that made a world; the targets count
 
 // Prints a sentence and aborts, unless a condition is true. libFuzzer then saves the input.

@@ -78,13 +78,4 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 	return 0;
 }
 
-#ifdef SCREE_LIBFUZZER
-size_t LLVMFuzzerMutate(uint8_t* bytes, size_t size, size_t most);
-size_t LLVMFuzzerCustomMutator(uint8_t* bytes, size_t size, size_t most, unsigned seed);
-
-size_t LLVMFuzzerCustomMutator(uint8_t* bytes, size_t size, size_t most, unsigned seed)
-{
-	size_t changed = seed % 8 > 0 ? mutate_json(bytes, size, most, seed) : 0;
-	return changed > 0 ? changed : LLVMFuzzerMutate(bytes, size, most);
-}
-#endif
+FUZZ_MUTATOR(mutate_json, 8)

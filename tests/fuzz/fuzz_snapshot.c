@@ -46,13 +46,4 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 	return 0;
 }
 
-#ifdef SCREE_LIBFUZZER
-size_t LLVMFuzzerMutate(uint8_t* bytes, size_t size, size_t most);
-size_t LLVMFuzzerCustomMutator(uint8_t* bytes, size_t size, size_t most, unsigned seed);
-
-size_t LLVMFuzzerCustomMutator(uint8_t* bytes, size_t size, size_t most, unsigned seed)
-{
-	size_t changed = seed % 16 > 0 ? mutate_chunks(bytes, size, most, seed) : 0;
-	return changed > 0 ? changed : LLVMFuzzerMutate(bytes, size, most);
-}
-#endif
+FUZZ_MUTATOR(mutate_chunks, 16)

@@ -16,12 +16,9 @@ static inline void record_hashes(scree_world* world)
 static inline Saved recording_of(const scree_world* world)
 {
 	const void* bytes;
-	Saved saved;
-	OK(scree_world_get_recording(world, &bytes, &saved.size));
-	saved.bytes = malloc(saved.size);
-	assert_non_null(saved.bytes);
-	memcpy(saved.bytes, bytes, saved.size);
-	return saved;
+	size_t size;
+	OK(scree_world_get_recording(world, &bytes, &size));
+	return copy_of(bytes, size);
 }
 
 static inline scree_world_def def_on(const char* device, int threads, int lanes)

@@ -25,9 +25,7 @@ Saved copy_chunks(Saved saved, const char* left_out, const char* added, int byte
 		memcpy(chunk_add(&writer, added, bytes, count, count), values, (size_t)bytes * (size_t)count);
 	OK(chunks_end(&writer, "test"));
 	chunks_close(&index);
-	Saved copy = {malloc(writer.used), writer.used};
-	assert_non_null(copy.bytes);
-	memcpy(copy.bytes, writer.bytes, writer.used);
+	Saved copy = copy_of(writer.bytes, writer.used);
 	scree_release(writer.bytes);
 	return copy;
 }

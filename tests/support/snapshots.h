@@ -12,16 +12,32 @@ typedef struct
 	size_t size;
 } Saved;
 
+// Copies bytes. The caller frees the copy.
+static inline Saved copy_of(const void* bytes, size_t size)
+{
+	Saved saved = {malloc(size), size};
+	assert_non_null(saved.bytes);
+	memcpy(saved.bytes, bytes, size);
+	return saved;
+}
+
 // Copies a snapshot out of the memory of its world. The caller frees its bytes.
 static inline Saved save(scree_world* world)
 {
 	const void* bytes;
-	Saved saved;
-	OK(scree_world_snapshot(world, &bytes, &saved.size));
-	saved.bytes = malloc(saved.size);
-	assert_non_null(saved.bytes);
-	memcpy(saved.bytes, bytes, saved.size);
-	return saved;
+	size_t size;
+	OK(scree_world_snapshot(world, &bytes, &size));
+	return copy_of(bytes, size);
+}
+
+// Checks that a snapshot of a world has the same bytes as an earlier one.
+static inline void assert_snapshot(scree_world* world, Saved before)
+{
+	const void* bytes;
+	size_t size;
+	OK(scree_world_snapshot(world, &bytes, &size));
+	assert_int_equal(size, before.size);
+	assert_memory_equal(bytes, before.bytes, before.size);
 }
 
 // Copies a snapshot without the chunk `left_out` (null: with all), and adds the chunk `added` (null: none) with `count`

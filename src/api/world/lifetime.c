@@ -14,6 +14,7 @@
 #include "world/objects/targets.h"
 #include "world/record/api_calls.h"
 #include "world/record/recorder.h"
+#include "world/save/saves.h"
 #include "world/tuning_members.h"
 #include "world/upload/upload.h"
 #include "world/upload/whole_sleep.h"
@@ -174,8 +175,9 @@ void scree_world_destroy(scree_world* world)
 	FLOAT_MODE_HERE;
 	if (!world)
 		return;
-#ifndef SCREE_SMALL // a build for WebAssembly makes no recordings
+#ifndef SCREE_SMALL // a build for WebAssembly makes no recordings and no saves
 	recorders_close(world);
+	saves_close(world);
 #endif
 	world_destroy(world);
 }

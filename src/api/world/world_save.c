@@ -5,7 +5,6 @@
 #include "world/failure.h"
 #include "world/record/api_calls.h"
 #include "world/save/saves.h"
-#include "world/save_list.h"
 
 static scree_status check_number(scree_world* world, const char* function, int save)
 {
@@ -33,6 +32,6 @@ scree_status api_world_discard(scree_world* world, int save)
 {
 	FLOAT_MODE_HERE;
 	TRY(check_number(world, "scree_world_discard", save));
-	save_discard(world, save);
+	world_discard(world, save);
 	return SCREE_OK;
 }

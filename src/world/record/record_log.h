@@ -45,7 +45,6 @@ void log_again(ByteReader* reader, LogRecord* record);
 void number_write(ChunkWriter* writer, uint64_t number);
 uint64_t number_read(ByteReader* reader); // 0 after an error
 
-void bytes_write(ChunkWriter* writer, const void* bytes, size_t size);
 // Returns the address of the next bytes, or null after an error.
 const uint8_t* bytes_read(ByteReader* reader, size_t size);
 

@@ -6,6 +6,7 @@
 #include "step/tree_maintenance.h"
 #include "world/device/idle.h"
 #include "world/memory.h"
+#include "world/snapshot/chunks.h"
 #include "world/snapshot/host_arrays.h"
 #include "world/snapshot/host_columns.h"
 #include <string.h>
@@ -39,14 +40,6 @@ static void count_arrays(const scree_world* world, ArrayCount counts[HOST_ARRAY_
 #undef ARRAY
 }
 
-// Appends bytes; without memory, only counts them.
-static void put(ChunkWriter* writer, const void* from, size_t bytes)
-{
-	if (bytes > 0 && writer->used + bytes <= writer->capacity)
-		memcpy(writer->bytes + writer->used, from, bytes);
-	writer->used += bytes;
-}
-
 static const uint8_t* take(const uint8_t** at, void* to, size_t bytes)
 {
 	if (bytes > 0 && to)
@@ -59,7 +52,7 @@ static void put_arrays(ChunkWriter* writer, const scree_world* world, ArrayPart 
 {
 #define ARRAY(part, table, array, capacity, count, kept) \
 	if (part == wanted)                                  \
-		put(writer, array, sizeof *(array) * (size_t)(count));
+		bytes_write(writer, array, sizeof *(array) * (size_t)(count));
 	HOST_ARRAYS(ARRAY)
 #undef ARRAY
 }
@@ -78,24 +71,24 @@ static void take_arrays(const uint8_t** at, scree_world* world, ArrayPart wanted
 
 static void put_structure(ChunkWriter* writer, scree_world* world)
 {
-	put(writer, &world->attribute_table_size, sizeof world->attribute_table_size);
-	put(writer, world->attribute_table, sizeof(int) * (size_t)world->attribute_table_size);
+	bytes_write(writer, &world->attribute_table_size, sizeof world->attribute_table_size);
+	bytes_write(writer, world->attribute_table, sizeof(int) * (size_t)world->attribute_table_size);
 	for (int k = 0; k < SLOT_KINDS; ++k)
 	{
 		const Slots* slots = slots_at(world, k);
-		put(writer, &slots->used, sizeof slots->used);
-		put(writer, slots->generation, sizeof(uint32_t) * (size_t)slots->used);
+		bytes_write(writer, &slots->used, sizeof slots->used);
+		bytes_write(writer, slots->generation, sizeof(uint32_t) * (size_t)slots->used);
 	}
 	for (int k = 0; k < world->paths.used; ++k)
 		if (slots_in_use(&world->paths, k))
 		{
 			const HostPath* path = world->host_paths + k;
-			put(writer, &path->segments, sizeof path->segments);
-			put(writer, path->samples, sizeof(PathSample) * ((size_t)path->segments + 1));
+			bytes_write(writer, &path->segments, sizeof path->segments);
+			bytes_write(writer, path->samples, sizeof(PathSample) * ((size_t)path->segments + 1));
 		}
 	put_arrays(writer, world, ARRAY_STRUCTURE);
-	put(writer, &world->reports.departed_capacity, sizeof world->reports.departed_capacity);
-	put(writer, world->reports.departed, sizeof(CollidableName) * (size_t)world->reports.departed_capacity);
+	bytes_write(writer, &world->reports.departed_capacity, sizeof world->reports.departed_capacity);
+	bytes_write(writer, world->reports.departed, sizeof(CollidableName) * (size_t)world->reports.departed_capacity);
 }
 
 static int member_count(const scree_world* world)
@@ -106,46 +99,36 @@ static int member_count(const scree_world* world)
 
 static void put_step(ChunkWriter* writer, scree_world* world)
 {
-	put(writer, world, sizeof *world);
+	bytes_write(writer, world, sizeof *world);
 	put_arrays(writer, world, ARRAY_STEP);
 	for (int k = 0; k < world->kinematic_count; ++k)
 	{
 		const HostBody* host = world->host_bodies + world->kinematics[k];
 		SavedKinematic saved = {host->stands, host->from, host->went, host->target, host->still};
-		put(writer, &saved, sizeof saved);
+		bytes_write(writer, &saved, sizeof saved);
 	}
-	put(writer, world->pipeline.member, (size_t)member_count(world));
+	bytes_write(writer, world->pipeline.member, (size_t)member_count(world));
 	for (int t = 0; t < 2; ++t)
-		put(writer, world->pipeline.trees[t].left, sizeof(int) * (size_t)world->pipeline.trees[t].left_count);
+		bytes_write(writer, world->pipeline.trees[t].left, sizeof(int) * (size_t)world->pipeline.trees[t].left_count);
 }
 
-static scree_status write(ChunkWriter* writer, scree_world* world, const char* function,
-                          void (*put_all)(ChunkWriter*, scree_world*))
+static scree_status end(const ChunkWriter* writer, const char* function)
 {
-	writer->used = 0;
-	put_all(writer, world);
-	if (writer->used <= writer->capacity)
-		return SCREE_OK;
-	size_t capacity = writer->used + writer->used / 8;
-	uint8_t* bytes = scree_allocate(capacity);
-	if (!bytes)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a save of %zu bytes", function, capacity);
-	scree_release(writer->bytes);
-	writer->bytes = bytes;
-	writer->capacity = capacity;
-	writer->used = 0;
-	put_all(writer, world);
-	return SCREE_OK;
+	return writer->used == SIZE_MAX ? fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a save", function) : SCREE_OK;
 }
 
 scree_status saved_structure_write(scree_world* world, const char* function, ChunkWriter* writer)
 {
-	return write(writer, world, function, put_structure);
+	writer->used = 0;
+	put_structure(writer, world);
+	return end(writer, function);
 }
 
 scree_status saved_step_write(scree_world* world, const char* function, ChunkWriter* writer)
 {
-	return write(writer, world, function, put_step);
+	writer->used = 0;
+	put_step(writer, world);
+	return end(writer, function);
 }
 
 static const scree_world* world_then(const HostLoad* load) { return (const scree_world*)load->step->bytes; }
@@ -197,7 +180,9 @@ static scree_status reserve_structure(HostLoad* load)
 		generation = k == PATHS ? first : generation;
 		paths = k == PATHS ? used : paths;
 	}
-	return reserve_samples(load, &at, (const uint32_t*)(const void*)generation, paths);
+	TRY(reserve_samples(load, &at, (const uint32_t*)(const void*)generation, paths));
+	load->arrays = at;
+	return SCREE_OK;
 }
 
 scree_status saved_host_reserve(HostLoad* load)
@@ -258,13 +243,7 @@ static void read_structure(HostLoad* load, const ArrayCount counts[HOST_ARRAY_CO
 		}
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		read_slots(slots_at(world, k), slots_of[k].first, &at);
-	for (int k = 0; k < load->paths; ++k)
-		if (load->samples[k])
-		{
-			int segments;
-			take(&at, &segments, sizeof segments);
-			take(&at, NULL, sizeof(PathSample) * ((size_t)segments + 1));
-		}
+	at = load->arrays;
 	take_arrays(&at, world, ARRAY_STRUCTURE, counts);
 	for (int k = 0; k < load->paths; ++k)
 	{
@@ -324,19 +303,12 @@ void saved_host_read(HostLoad* load)
 	const uint8_t* at = load->step->bytes + sizeof *then;
 	ArrayCount counts[HOST_ARRAY_COUNT];
 	count_arrays(then, counts);
-	Slots slots[SLOT_KINDS];
-	for (int k = 0; k < SLOT_KINDS; ++k)
-		slots[k] = *slots_at(world, k);
 	int departed = world->reports.departed_capacity;
 	bool fields = world->fields.acting > 0;
 	if (!load->same)
 		read_structure(load, counts);
-	for (int k = 0; k < SLOT_KINDS && !load->same; ++k)
-		slots[k] = *slots_at(world, k);
 	copy_columns(HOST_WORLD, world, then);
-	for (int k = 0; k < SLOT_KINDS; ++k)
-		*slots_at(world, k) = slots[k]; // the columns contain the numbers of slots
-	world->reports.departed_capacity = departed;
+	world->reports.departed_capacity = departed; // a column, but the array may be larger now
 	read_pipeline(&world->pipeline, &then->pipeline);
 	take_arrays(&at, world, ARRAY_STEP, counts);
 	for (int k = 0; k < world->kinematic_count; ++k)

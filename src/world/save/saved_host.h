@@ -18,6 +18,7 @@ typedef struct // a load in progress
 	int paths;            // number of entries of `samples`
 	int* table;           // hash table of the attributes of the save
 	int table_size;
+	const uint8_t* arrays; // arrays of the structure of the save
 } HostLoad;
 
 // Reserves all memory. Changes nothing else; on failure too, saved_host_close must follow.

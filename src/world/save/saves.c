@@ -9,19 +9,36 @@
 #include "world/objects/reports.h"
 #include "world/save/saved_host.h"
 #include "world/save/saved_pools.h"
-#include "world/save_list.h"
 #include "world/upload/upload.h"
 #include <string.h>
 
+#define STRUCTURES ((int)(sizeof((SaveList*)0)->structures / sizeof *((SaveList*)0)->structures))
+
+// Returns the range of a save (below SCREE_SAVES) or of a structure.
+static SavedRange range_at(const SaveList* list, int k)
+{
+	return k < SCREE_SAVES ? list->saves[k].range : list->structures[k - SCREE_SAVES].range;
+}
+
 static bool is_free(const SaveList* list, SavedRange range)
 {
-	for (int k = 0; k < SAVES + STRUCTURES; ++k)
+	for (int k = 0; k < SCREE_SAVES + STRUCTURES; ++k)
 	{
-		SavedRange other = save_range(list, k);
+		SavedRange other = range_at(list, k);
 		if (other.count > 0 && range.first < other.first + other.count && other.first < range.first + range.count)
 			return false;
 	}
 	return true;
+}
+
+static void measure(Saves* saves)
+{
+	saves->end = 0;
+	for (int k = 0; k < SCREE_SAVES + STRUCTURES; ++k)
+	{
+		SavedRange range = range_at(saves->list, k);
+		saves->end = range.first + range.count > saves->end ? range.first + range.count : saves->end;
+	}
 }
 
 // Finds the lowest free range of at least `count` items, or keeps *range if it is large enough.
@@ -32,9 +49,9 @@ static scree_status find_range(scree_world* world, const char* function, int64_t
 		return SCREE_OK;
 	count += count / 8;
 	int64_t lowest = INT32_MAX;
-	for (int k = -1; k < SAVES + STRUCTURES; ++k)
+	for (int k = -1; k < SCREE_SAVES + STRUCTURES; ++k)
 	{
-		SavedRange after = k < 0 ? (SavedRange){0, 0} : save_range(list, k);
+		SavedRange after = k < 0 ? (SavedRange){0, 0} : range_at(list, k);
 		int64_t first = after.first + after.count;
 		if (first + count < INT32_MAX / 2 && first < lowest && is_free(list, (SavedRange){(int)first, (int)count}))
 			lowest = first;
@@ -51,7 +68,7 @@ static scree_status fill_structure(scree_world* world, const char* function, Sav
 	int64_t count = saved_pools_count(world, true, structure->counts);
 	TRY(saved_structure_write(world, function, &structure->host));
 	TRY(find_range(world, function, count, &structure->range));
-	saves_measure(&world->saves);
+	measure(&world->saves);
 	return world_note(world, saved_pools_copy(world, true, structure->range, structure->counts, NULL, false));
 }
 
@@ -71,6 +88,13 @@ static scree_status find_structure(scree_world* world, const char* function, int
 	TRY(fill_structure(world, function, list->structures + unused));
 	list->structures[unused].version = world->saves.version;
 	return SCREE_OK;
+}
+
+static void give_up(SaveList* list, Save* save)
+{
+	if (save->made)
+		--list->structures[save->structure].uses;
+	save->made = false;
 }
 
 scree_status world_save(scree_world* world, const char* function, int number)
@@ -94,13 +118,13 @@ scree_status world_save(scree_world* world, const char* function, int number)
 	if (status == SCREE_OK)
 		status = world_note(world, saved_pools_copy(world, false, made.range, made.counts, made.leaves, false));
 	++list->structures[made.structure].uses; // before the old use ends, so that the structure stays
-	save_give_up(list, save);
+	give_up(list, save);
 	made.host = save->host;
 	made.made = status == SCREE_OK;
 	if (status != SCREE_OK)
 		--list->structures[made.structure].uses;
 	*save = made;
-	saves_measure(&world->saves);
+	measure(&world->saves);
 	return status;
 }
 
@@ -144,4 +168,29 @@ scree_status world_load(scree_world* world, const char* function, int number)
 	scree_status status = load_all(world, save, &host);
 	saved_host_close(&host);
 	return status;
+}
+
+void world_discard(scree_world* world, int number)
+{
+	SaveList* list = world->saves.list;
+	if (!list)
+		return;
+	Save* save = list->saves + number;
+	give_up(list, save);
+	scree_release(save->host.bytes);
+	*save = (Save){0};
+	for (int k = 0; k < STRUCTURES; ++k)
+		if (list->structures[k].uses == 0)
+		{
+			scree_release(list->structures[k].host.bytes);
+			list->structures[k] = (SavedStructure){0};
+		}
+	measure(&world->saves);
+}
+
+void saves_close(scree_world* world)
+{
+	for (int k = 0; k < SCREE_SAVES; ++k)
+		world_discard(world, k);
+	scree_release(world->saves.list);
 }

@@ -8,4 +8,8 @@
 scree_status world_save(scree_world* world, const char* function, int number);
 scree_status world_load(scree_world* world, const char* function, int number);
 
+// Gives up a save and its memory. Has no effect if it was not made.
+void world_discard(scree_world* world, int number);
+void saves_close(scree_world* world);
+
 #endif

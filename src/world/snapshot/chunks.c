@@ -50,6 +50,22 @@ uint8_t* writer_append(ChunkWriter* writer, size_t more)
 	return at;
 }
 
+void bytes_write(ChunkWriter* writer, const void* bytes, size_t size)
+{
+	uint8_t* at = writer_append(writer, size);
+	if (at && size > 0)
+		memcpy(at, bytes, size);
+}
+
+void header_write(ChunkWriter* writer, const char start[8], int version)
+{
+	const char* library = scree_version();
+	const uint8_t numbers[2] = {(uint8_t)version, (uint8_t)strlen(library)};
+	bytes_write(writer, start, sizeof magic);
+	bytes_write(writer, numbers, sizeof numbers);
+	bytes_write(writer, library, numbers[1]);
+}
+
 static scree_status no_memory(const char* function)
 {
 	return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a snapshot", function);
@@ -58,15 +74,8 @@ static scree_status no_memory(const char* function)
 scree_status chunks_begin(ChunkWriter* writer, const char* function)
 {
 	writer->used = 0;
-	const char* library = scree_version();
-	uint8_t length = (uint8_t)strlen(library), *at = writer_append(writer, sizeof magic + 2 + (size_t)length);
-	if (!at)
-		return no_memory(function);
-	memcpy(at, magic, sizeof magic);
-	at[sizeof magic] = FORMAT_VERSION;
-	at[sizeof magic + 1] = length;
-	memcpy(at + sizeof magic + 2, library, length);
-	return SCREE_OK;
+	header_write(writer, magic, FORMAT_VERSION);
+	return writer->used == SIZE_MAX ? no_memory(function) : SCREE_OK;
 }
 
 uint8_t* chunk_add(ChunkWriter* writer, const char* name, int bytes, int count, int stored)

@@ -28,6 +28,9 @@ typedef struct // the chunks of a snapshot, which lie in memory of the caller
 
 // Returns the address of `more` new bytes at the end of a writer, or null. A writer without memory has `used` SIZE_MAX.
 uint8_t* writer_append(ChunkWriter* writer, size_t more);
+void bytes_write(ChunkWriter* writer, const void* bytes, size_t size);
+// Writes the beginning of a file: the magic number, the version of its format, and the version of the library.
+void header_write(ChunkWriter* writer, const char start[8], int version);
 // Begins a snapshot with the header.
 scree_status chunks_begin(ChunkWriter* writer, const char* function);
 // Appends a chunk, and returns the address at which its values are to be written; null if there is no memory. stored:

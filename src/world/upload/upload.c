@@ -132,15 +132,15 @@ static bool no_edits(const Edits* p)
 
 static scree_status upload_all(scree_world* world, bool steps)
 {
-	TRY(upload_fields(world));
 	if (steps)
 		TRY(chains_update(world)); // adds an edit for each joint whose spot changed
+	structure_note(world);
+	TRY(upload_fields(world));
 	TRY(upload_materials(world));
 	TRY(upload_exclusions(world));
 	if (no_edits(&world->edits))
 		return SCREE_OK;
 	idle_note(world);
-	structure_note(world);
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
 	char* memory;
@@ -165,8 +165,6 @@ static scree_status upload(scree_world* world, bool steps)
 	    !world->fields.stale)
 		return SCREE_OK;
 	world->pipeline.edited = true;
-	if (world->fields.stale || world->materials.waiting || world->exclusions.waiting)
-		structure_changed(world);
 	TRY(reports_fetch(world)); // reads the events first, because an upload may change the items to which they refer
 	world->pipeline.trees[0].seen = false;
 	double begin = auto_clock();
