@@ -227,13 +227,16 @@ static scree_status skip(Pipeline* pipeline, const StepRequest* request)
 	return pipeline_trim(pipeline);
 }
 
-// Counts the successive steps in which nothing moved. While a body was pressed recently, each step counts the steps for
+// Counts the successive steps in which nothing moved and no rule changed a contact. While a body was pressed recently, each step counts the steps for
 // which its speed is still limited (stages/solve/press.h).
-static void count_quiet(Pipeline* pipeline)
+static void count_quiet(Pipeline* pipeline, float dt)
 {
-	bool moved = pipeline->counters.movers != 0 || pipeline->counters.presses != 0 || pipeline->edited;
-	pipeline->quiet = moved ? 0 : pipeline->quiet + (pipeline->quiet < QUIET_STEPS);
-	pipeline->edited = false;
+	const Counters* c = &pipeline->counters;
+	if (c->movers != 0 || c->presses != 0 || c->rule_changes || pipeline->edited)
+		pipeline->quiet = 0;
+	else if (dt > 0.0f && pipeline->quiet < QUIET_STEPS)
+		++pipeline->quiet;
+	pipeline->edited = pipeline->edited && dt == 0.0f;
 }
 
 scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
@@ -261,8 +264,8 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	}
 	pipeline->started = false;
 	TRY(count_trees(pipeline));
-	if (request->dt > 0.0f && request->sleep)
-		count_quiet(pipeline);
+	if (request->sleep)
+		count_quiet(pipeline, request->dt);
 	pipeline->sleeps = request->sleep;
 	pipeline->listed = step.sleep;
 	pipeline->collidables = request->collidables;

@@ -47,6 +47,7 @@ KERNEL(step_begin)
 	c->gathered = c->belts ? c->contacts : 0;
 	c->belts = 0;
 	c->entered = 0;
+	c->rule_changes = 0;
 	c->continuous_items = 0;
 	if (p->step.dt > 0.0f)
 	{

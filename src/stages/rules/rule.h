@@ -180,6 +180,9 @@ KERNEL(contact_rule)
 		contact_anew(p, i, flags, apart | answer | (flags & CONTACT_REPORTS));
 	else
 		p->contact_flags[i] = (flags & ~(CONTACT_APPROVALS | CONTACT_HIGH)) | answer | apart;
+	// the depth in one platform decides about the next one, so one change may follow another without motion
+	if (p->contact_flags[i] != flags)
+		raise_int(&p->counters->rule_changes, 1);
 }
 
 #endif
