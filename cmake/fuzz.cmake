@@ -1,8 +1,8 @@
 # fuzz.cmake -- builds the fuzz targets of tests/fuzz. With -fsanitize=fuzzer-no-link they are libFuzzer programs, which make
 # fuzz runs; else programs that run the seeds of tests/fuzz/seeds, which are tests.
 set(fuzz_folder ${PROJECT_SOURCE_DIR}/tests/fuzz)
-add_library(scree_fuzz OBJECT ${fuzz_folder}/use_world.c ${fuzz_folder}/mutate_chunks.c)
-set(fuzz_targets fuzz_snapshot fuzz_api)
+add_library(scree_fuzz OBJECT ${fuzz_folder}/use_world.c ${fuzz_folder}/mutate_chunks.c ${fuzz_folder}/mutate_recording.c)
+set(fuzz_targets fuzz_snapshot fuzz_recording fuzz_api)
 if(TARGET scree_scene)
 	list(APPEND fuzz_targets fuzz_scene)
 endif()

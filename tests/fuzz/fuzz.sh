@@ -5,7 +5,7 @@
 # usage: fuzz.sh [--seconds N] [--again] [TARGET...]
 #   --seconds N   time of each target (60)
 #   --again       also begins with the inputs that earlier runs have kept in build/fuzz/corpus
-#   TARGET        snapshot, scene, api (all of them)
+#   TARGET        snapshot, recording, scene, api (all of them)
 # An input at which a target fails is kept as build/fuzz/TARGET-crash-..., -oom-... or -timeout-...; exit 1. Exit 77 if clang or
 # its library libFuzzer is missing.
 set -euo pipefail
@@ -21,12 +21,12 @@ while [ $# -gt 0 ]; do
 	--help) usage && exit ;;
 	--seconds) seconds=${2:?is missing} && shift ;;
 	--again) again=1 ;;
-	snapshot | scene | api) targets+=("$1") ;;
+	snapshot | recording | scene | api) targets+=("$1") ;;
 	*) echo "fuzz.sh: there is no option or target $1" >&2 && usage >&2 && exit 2 ;;
 	esac
 	shift
 done
-[ ${#targets[@]} -gt 0 ] || targets=(snapshot scene api)
+[ ${#targets[@]} -gt 0 ] || targets=(snapshot recording scene api)
 
 probe=$(mktemp -d)
 trap 'rm -rf "$probe"' EXIT
@@ -42,7 +42,7 @@ cmake --preset fuzz --log-level=NOTICE
 cmake --build --preset fuzz --target fuzz -- -k 0 >"$probe/build" || { tail -30 "$probe/build"; exit 1; }
 
 # longest input, bytes; larger ones are slow and find no more
-declare -A most=([snapshot]=40000 [scene]=12000 [api]=1200)
+declare -A most=([snapshot]=40000 [recording]=40000 [scene]=12000 [api]=1200)
 export ASAN_OPTIONS=handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1
 failed=0
 printf '%-10s %10s %8s %10s %8s\n' target seconds inputs per_second edges

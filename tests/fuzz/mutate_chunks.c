@@ -73,13 +73,13 @@ static bool splice(Chunks* c, size_t at, size_t removed, const uint8_t* from, si
 	return true;
 }
 
-static uint32_t any_word(Chunks* c, uint32_t old)
+uint32_t mutate_word(uint32_t old, uint64_t* seed)
 {
 	static const uint32_t words[] = {0,          1,          2,          3,          64,         65,
 	                                 255,        256,        1u << 16,   1u << 24,   0x7fffffff, 0x80000000,
 	                                 0xffffffff, 0xfffffffe, 0x7f800000, 0xff800000, 0x7fc00000, 0x7f7fffff,
 	                                 0x3f800000, 0xbf800000, 0x00000001};
-	uint64_t any = random_word(&c->seed);
+	uint64_t any = random_word(seed);
 	switch (any % 5)
 	{
 	case 0:
@@ -104,7 +104,7 @@ static void change_value(Chunks* c)
 	size_t unit = length % 4 == 0 ? 4 : 1, at = part->values + random_word(&c->seed) % (length / unit) * unit;
 	uint32_t word = 0;
 	memcpy(&word, c->bytes + at, unit);
-	word = any_word(c, word);
+	word = mutate_word(word, &c->seed);
 	if (unit == 1 && part->bytes == 1)
 		word &= 1; // truths
 	memcpy(c->bytes + at, &word, unit);
@@ -169,7 +169,7 @@ static bool set_count(Chunks* c, const Part* part, uint32_t count)
 static void change_count(Chunks* c)
 {
 	Part part = *any_part(c);
-	set_count(c, &part, any_word(c, part.count) & (part.equal ? 0xffffffffu : 0xffffu));
+	set_count(c, &part, mutate_word(part.count, &c->seed) & (part.equal ? 0xffffffffu : 0xffffu));
 }
 
 // Changes the number of values of all columns of one length, and the counters that have this number.

@@ -10,4 +10,7 @@
 // 0 if the bytes are no chunks.
 size_t mutate_chunks(uint8_t* bytes, size_t size, size_t most, uint64_t seed);
 
+// Returns a word near `old`, or one at a limit of numbers, counts or floats.
+uint32_t mutate_word(uint32_t old, uint64_t* seed);
+
 #endif
