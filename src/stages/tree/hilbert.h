@@ -42,11 +42,12 @@ INLINE Int hilbert_distance(Int x, Int y)
 	return shifted(hilbert_spread(high & all), 1) | hilbert_spread(low);
 }
 
-// Returns the cell of the midpoint between two bounds. cells: number of cells per metre, counted from `begin`.
+// Returns the cell of the midpoint between two bounds, 0 if it is NaN, as in a world from a hostile snapshot. cells: number of
+// cells per metre, counted from `begin`.
 INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
 {
 	Real at = (0.5f * (lower + upper) - begin) * cells;
-	return whole(minimum(maximum(at, splat(0.0f)), splat(TREE_CELLS)));
+	return whole(minimum(splat(TREE_CELLS), maximum(splat(0.0f), at)));
 }
 
 // Writes the key of each leaf: the position of its box's center on the curve, then the collidable. argument: the tree,
