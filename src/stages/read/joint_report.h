@@ -85,6 +85,8 @@ INLINE PathFoot joint_report_foot(const Pools* p, int i, JointFrame* a)
 
 KERNEL(joint_report)
 {
+	if (!joint_in_use(p, i)) // the data of a free slot may name anything
+		return;
 	GLOBAL JointState* state = p->joint_state + i;
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
 	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME(0), ia, vec(0.0f, 0.0f));
