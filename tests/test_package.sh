@@ -21,6 +21,7 @@ for shared in OFF ON; do
 	cmake --build "$build" >>"$scratch/log" || { cat "$scratch/log"; exit 1; }
 	LD_LIBRARY_PATH=$libdir "$build/hello" | tee "$scratch/cmake_$shared.txt"
 	LD_LIBRARY_PATH=$libdir "$build/car" | tee "$scratch/car_$shared.txt"
+	LD_LIBRARY_PATH=$libdir "$build/rollback" --demo --threads 1 --speed 8 --frames 240 --delay 60 --log 240
 	linked=$(objdump -p "$build/hello" | grep -c 'NEEDED.*libscree' || true)
 	[ "$linked" = "$([ $shared = ON ] && echo 1 || echo 0)" ] || { echo "BUILD_SHARED_LIBS=$shared links the wrong library"; exit 1; }
 done
