@@ -25,7 +25,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int touching; // number of touching contacts at the last layout, including spokes
 	KindLayout layout[CONSTRAINT_KINDS]; // places of the constraints of each kind
 	int woken;                           // INT_MAX if some island is marked in the pool wake
-	int rule_changes;   // 1 if a rule has changed the state of a contact in this step
+	int rule_changes;                    // 1 if a rule has changed the state of a contact in this step
 	int joined_islands; // 1 if a sleeping body began to touch another sleeping island, so that both become one
 	int active_items[GROUP_KINDS]; // for each kind: GROUP_ITEMS times the number of groups that are not skipped
 	int relist[GROUP_KINDS];       // for each kind: INT_MAX if the list of these groups must be sorted again, else 0

@@ -10,8 +10,9 @@
 // this version, or if there is no room.
 size_t recording_seal(const uint8_t* bytes, size_t size, uint8_t* sealed, size_t most);
 
-// Changes `size` bytes in place, to at most `most` bytes, and returns the new size: bytes or the number of a record, the chunks
-// of a snapshot (mutate_chunks), records that are left out, repeated or exchanged. Returns 0 if the bytes are no recording.
+// Changes bytes in place, and returns the new size: values or the number of a record, the chunks of a snapshot (mutate_chunks),
+// records that are left out, repeated or exchanged. Returns 0 if the bytes are no recording. size, most: present and largest
+// number of bytes.
 size_t mutate_recording(uint8_t* bytes, size_t size, size_t most, uint64_t seed);
 
 #endif
