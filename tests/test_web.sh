@@ -35,6 +35,21 @@ for form in scalar simd; do
 	timeout 300 node --expose-gc "$scratch/api.mjs" $form
 done
 ${CC:-cc} -std=c17 -I"$SCREE_SOURCE/include" "$SCREE_SOURCE/examples/hello.c" "$SCREE_BUILD/libscree.a" -lm -ldl -pthread -o "$scratch/hello"
+# snapshots that the native library writes: on the CPU with the most lanes, and through OpenCL
+cp "$SCREE_SOURCE/tests/web/snapshots.mjs" "$scratch"
+snapshots()
+{
+	local folder=$scratch/snapshots-$1
+	mkdir "$folder"
+	timeout 300 "$SCREE_BUILD/tests/snapshot_scenes" "$1" 60 small "$folder" "${@:2}" >"$folder/list.txt"
+	for form in scalar simd; do
+		timeout 300 node "$scratch/snapshots.mjs" $form "$folder"
+	done
+}
+snapshots cpu
+if "$SCREE_BUILD/scree" devices | grep -q opencl; then
+	snapshots opencl storm ragdolls platformer churn
+fi
 [ "$(wc -l <"$SCREE_SOURCE/examples/hello.mjs")" -le 30 ]
 [ "cpu: $(node "$scratch/hello.mjs")" = "$("$scratch/hello")" ] || { echo "hello.mjs and hello.c differ:" "$(node "$scratch/hello.mjs")" "$("$scratch/hello")"; exit 1; }
 if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then

@@ -3,10 +3,6 @@
 #include "world/structure.h"
 #include "world/world.h"
 
-#ifdef SCREE_SMALL // the package for WebAssembly has no saves
-void structure_changed(scree_world* world) { (void)world; }
-void structure_note(scree_world* world) { (void)world; }
-#else
 void structure_changed(scree_world* world) { world->saves.version = ++world->saves.last; }
 
 // Returns whether a command changes only data that steps change too.
@@ -43,4 +39,3 @@ void structure_note(scree_world* world)
 	if (changed)
 		structure_changed(world);
 }
-#endif

@@ -82,11 +82,51 @@ assert.throws(() => quiet.createBody({asleep: 1}), /argument 1\.asleep is 1, mus
 assert.throws(() => quiet.bodies.setAwake(pair, [true]), /has 1 items, but the array before it has 2/);
 quiet.destroy();
 
+// snapshots and saves: the world goes back, and so do its handles; a clone has the same handles; bytes that are refused change
+// nothing
+const past = scree.createWorld({gravity: {x: 0, y: -10}}), cube = box(past);
+past.createBody({type: BodyType.STATIC, attribute: cube});
+const first = past.createBody({pose: {position: {y: 3}}, attribute: cube, user: 5});
+const steps = (of, count) => {
+	for (let k = 0; k < count; ++k)
+		of.step(1 / 60, 4);
+	return of.getHash();
+};
+steps(past, 10);
+const early = past.snapshot(), began = past.getHash();
+past.save(3);
+const second = past.createBody({pose: {position: {y: 6}}, attribute: cube}), later = steps(past, 90);
+past.load(3);
+assert.equal(past.getHash(), began);
+fails(() => second.getPose(), Status.ERROR_STALE, /body/);
+assert.equal(past.createBody({pose: {position: {y: 6}}, attribute: cube}), second);
+assert.equal(steps(past, 90), later);
+past.restore(early);
+assert.deepEqual([past.getHash(), first.getUser()], [began, 5n]);
+const copies = [past.clone(), past.clone({timings: true}), scree.createWorldFrom(early), scree.createWorldFrom(past.snapshot(), {bodyCapacity: 100})];
+for (const copy of copies) {
+	const same = copy.counterpart(first);
+	assert.deepEqual([copy.getHash(), same === first, same.world === copy, same.getUser()], [began, false, true, 5n]);
+	copy.createBody({pose: {position: {y: 6}}, attribute: copy.counterpart(cube)});
+	assert.equal(steps(copy, 90), later);
+	assert.equal(copy.counterpart(first), copy.counterpart(same));
+	copy.destroy();
+	fails(() => copy.snapshot(), Status.ERROR_STALE, /destroyed/);
+}
+past.discard(3);
+fails(() => past.load(3), Status.ERROR_INVALID, /^scree_world_load: .*3/);
+fails(() => past.restore(early.subarray(0, early.length - 1)), Status.ERROR_INVALID, /^scree_world_restore: /);
+fails(() => scree.createWorldFrom(new Uint8Array(100)), Status.ERROR_INVALID, /^scree_world_create_from: .*not a snapshot/);
+assert.throws(() => past.restore("text"), /must be a Uint8Array/);
+assert.throws(() => past.counterpart({}), /must be a body or another object/);
+assert.equal(past.getHash(), began);
+past.destroy();
+
 // calls every method of the header: each returns a result or throws an error with a message
 let methods = 0;
 for (const target of [scree, world, ...["bodies", "joints", "collidables", "movers"].map((name) => world[name]), b, joint, field, path, b.getCollidables()[0], box(world)])
 	for (let type = Object.getPrototypeOf(target); type !== Object.prototype; type = Object.getPrototypeOf(type))
-		for (const name of Object.getOwnPropertyNames(type).filter((name) => !/^(constructor|destroy|createWorld|handle|block|live)$/.test(name))) {
+		for (const name of Object.getOwnPropertyNames(type).filter((name) => !/^(constructor|destroy|createWorld|clone|handle|block|live)$/.test(name))) {
 			++methods;
 			try {
 				target[name]();

@@ -136,6 +136,14 @@ class Engine {
 		return at;
 	}
 
+	putBytes(bytes) {
+		if (!(bytes instanceof Uint8Array))
+			throw new TypeError("a snapshot must be a Uint8Array");
+		const at = this.take(bytes.length);
+		new Uint8Array(this.memory.buffer).set(bytes, at);
+		return at;
+	}
+
 	check(status) {
 		if (status)
 			throw new ScreeError(this.text(this.c[table.error.name]()), status);
@@ -408,14 +416,15 @@ function call(engine, f, world, given) {
 
 /** A world with its bodies and other objects. destroy() frees it; the garbage collector frees it some time later. */
 export class World {
-	constructor(scree, def = {}) {
+	// make: calls the function of the engine that makes the world, with the addresses of a definition and of the result
+	constructor(scree, def, make = scree.engine.c.scree_world_create) {
 		const engine = scree.engine;
 		this.scree = scree;
 		this.known = {};
 		try {
 			const at = engine.take(layouts.world_def.size), out = engine.take(4);
 			engine.putBlank("world_def", at, {device: "cpu", threads: 1, ...def}, this, "world");
-			engine.check(engine.c.scree_world_create(at, out));
+			engine.check(make(at, out));
 			this.pointer = engine.fresh().getUint32(out, true);
 		}
 		finally {
@@ -495,6 +504,39 @@ export class World {
 		return this.pointer;
 	}
 
+	/** Returns the whole state as bytes. */
+	snapshot() {
+		const {engine} = this.scree, world = this.live(), out = engine.take(8);
+		engine.done();
+		engine.check(engine.c.scree_world_snapshot(world, out, out + 4));
+		const view = engine.fresh(), at = view.getUint32(out, true);
+		return new Uint8Array(engine.memory.buffer).slice(at, at + view.getUint32(out + 4, true));
+	}
+
+	/** Goes back to a snapshot, of this world or of another one. */
+	restore(bytes) {
+		const {engine} = this.scree, world = this.live();
+		try {
+			engine.check(engine.c.scree_world_restore(world, engine.putBytes(bytes), bytes.length));
+		}
+		finally {
+			engine.done();
+		}
+	}
+
+	/** Returns a new world with the state of this one. */
+	clone(def) {
+		return new World(this.scree, def, (at, out) => this.scree.engine.c.scree_world_clone(this.live(), def ? at : 0, out));
+	}
+
+	/** Returns the object of this world with the handle of an object of another world, of which this one is a copy. */
+	counterpart(object) {
+		const type = HANDLES.find((name) => object instanceof classes[name]);
+		if (!type)
+			throw new TypeError("counterpart: argument 1 must be a body or another object of a world");
+		return this.handle(type, object.index, object.generation);
+	}
+
 	/** Returns all collidables that overlap a shape at a pose. */
 	overlapShape(shape, pose) {
 		return this.listShapes(null, shape, [{pose}]);
@@ -531,6 +573,12 @@ export class Scree {
 
 	createWorld(def) {
 		return new World(this, def);
+	}
+
+	/** Creates a world from a snapshot. */
+	createWorldFrom(bytes, def) {
+		const {engine} = this;
+		return new World(this, def, (at, out) => engine.c.scree_world_create_from(at, engine.putBytes(bytes), bytes.length, out));
 	}
 }
 

@@ -89,6 +89,14 @@ export declare class World {
 ${Object.keys(plurals).map((plural) => `\treadonly ${plural}: ${title(plural)};`).join("\n")}
 	/** Frees the world now. */
 	destroy(): void;
+	/** Returns the whole state as bytes, which any program with Scree restores. Handles, user data, events and pending changes are in it. */
+	snapshot(): Uint8Array;
+	/** Goes back to a snapshot, of this world or of another one. Objects that the snapshot lacks become invalid. If the bytes are refused, the world is unchanged. */
+	restore(bytes: Uint8Array): void;
+	/** Returns a new world with the state of this one. */
+	clone(def?: PartialWorldDef): World;
+	/** Returns the object of this world that has the same handle as an object of another world, from which this one was cloned or restored. */
+	counterpart<T extends ${header.handles.map((name) => title(short(name))).join(" | ")}>(object: T): T;
 	/** Returns the poses of bodies: x, y, cosine and sine of bodies[k] begin at 4 * k. The array is a view of the engine's memory, so call this again after a step. */
 	poses(bodies: ArrayLike<Body>): Float32Array;
 	/** Returns the data for a renderer: eight numbers for each collidable begin at 8 * (collidable.index - 1). A view, as poses(). */
@@ -107,6 +115,8 @@ export declare class Scree {
 	/** "simd" or "scalar". */
 	readonly form: string;
 	createWorld(def?: PartialWorldDef): World;
+	/** Creates a world from a snapshot. Of def, capacities and timings are used; all other members are those of the snapshot. */
+	createWorldFrom(bytes: Uint8Array, def?: PartialWorldDef): World;
 ${lists.Scree.join("\n")}
 }
 

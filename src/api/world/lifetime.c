@@ -175,10 +175,10 @@ void scree_world_destroy(scree_world* world)
 	FLOAT_MODE_HERE;
 	if (!world)
 		return;
-#ifndef SCREE_SMALL // a build for WebAssembly makes no recordings and no saves
+#ifndef SCREE_SMALL // a build for WebAssembly makes no recordings
 	recorders_close(world);
-	saves_close(world);
 #endif
+	saves_close(world);
 	world_destroy(world);
 }
 

@@ -13,7 +13,7 @@ int columns_of_words(int bytes, Column columns[COLUMN_MOST])
 {
 	ASSERT(bytes % 4 == 0 && bytes / 4 <= COLUMN_MOST);
 	for (int k = 0; k < bytes / 4; ++k)
-		columns[k] = (Column){.offset = 4 * k, .bytes = 4, .count = 1};
+		columns[k] = (Column){.offset = (uint16_t)(4 * k), .bytes = 4, .count = 1};
 	return bytes / 4;
 }
 
@@ -120,6 +120,11 @@ scree_status snapshot_refuse(const ChunkIndex* index, const char* format, ...)
 	vsnprintf(sentence, sizeof sentence, format, arguments);
 	va_end(arguments);
 	return fail(SCREE_ERROR_INVALID, "%s: the snapshot is refused: %s", index->function, sentence);
+}
+
+scree_status snapshot_refuse_item(const ChunkIndex* index, const char* kind, int k, const char* condition)
+{
+	return snapshot_refuse(index, "%s %d is not consistent%s", kind, k, condition);
 }
 
 // Returns whether a value is one that a column of this kind may have.

@@ -21,18 +21,18 @@ typedef enum
 #define COUNT_MOST (1 << 30)
 #define STEP_MOST  ((int64_t)1 << 62)
 
-typedef struct // a member of a struct
+typedef struct // a member of a struct; small numbers, because these tables are a part of what a page downloads
 {
 	const char* name; // null: the member is named by its offset
-	ColumnKind kind;
-	int offset, bytes;
-	int count; // number of values: above 1 for an array in a struct of which there is only one
+	uint16_t offset, bytes;
+	uint16_t count; // number of values: above 1 for an array in a struct of which there is only one
+	uint16_t kind;  // ColumnKind
 } Column;
 
 // A column of a member; bools and 64-bit numbers of steps are found by their type. COLUMN_COUNTS: ints are of another kind.
 // clang-format off
 #define COLUMN_AS(kind, type, member, value, count) \
-	{#member, kind, (int)offsetof(type, member), (int)sizeof(value), count}
+	{#member, offsetof(type, member), sizeof(value), count, kind}
 #define MEMBER_OF(type, member) (((type*)0)->member)
 #define COLUMN_COUNTS(type, member, kind)                                                                     \
 	COLUMN_AS(_Generic(MEMBER_OF(type, member), bool: COLUMN_TRUTH, int64_t: COLUMN_STEP, int: kind, default: \
@@ -42,7 +42,7 @@ typedef struct // a member of a struct
 #define COLUMN_INDEX(type, member) COLUMN_AS(COLUMN_NONE, type, member, MEMBER_OF(type, member), 1)
 #define COLUMN_ALL(type, member)   COLUMN_AS(COLUMN_EACH, type, member, MEMBER_OF(type, member), 1)
 #define COLUMN_ARRAY(type, member) \
-	COLUMN_AS(COLUMN_COUNT, type, member, int, (int)(sizeof MEMBER_OF(type, member) / sizeof(int)))
+	COLUMN_AS(COLUMN_COUNT, type, member, int, sizeof MEMBER_OF(type, member) / sizeof(int))
 
 typedef struct // columns of a struct
 {
@@ -71,12 +71,22 @@ void columns_read(const ChunkIndex* index, const ColumnTable* table, void* items
 // Fails with SCREE_ERROR_INVALID and a sentence about the snapshot.
 scree_status snapshot_refuse(const ChunkIndex* index, const char* format, ...);
 
+// Fails with SCREE_ERROR_INVALID and a sentence that names item k of a kind, and the condition that it does not meet.
+scree_status snapshot_refuse_item(const ChunkIndex* index, const char* kind, int k, const char* condition);
+
+// The texts of the conditions would add 2 kB to the npm package.
+#ifdef SCREE_SMALL
+#define CONDITION_TEXT(condition) ""
+#else
+#define CONDITION_TEXT(condition) ": !(" #condition ")"
+#endif
+
 // Fails with a sentence that names item k of a kind, unless `condition` is true. A variable `index` names the snapshot.
-#define CHECK_ITEM(condition, kind, k)                                                                   \
-	do                                                                                                   \
-	{                                                                                                    \
-		if (!(condition))                                                                                \
-			return snapshot_refuse(index, "%s %d is not consistent: !(%s)", kind, (int)(k), #condition); \
+#define CHECK_ITEM(condition, kind, k)                                                     \
+	do                                                                                     \
+	{                                                                                      \
+		if (!(condition))                                                                  \
+			return snapshot_refuse_item(index, kind, (int)(k), CONDITION_TEXT(condition)); \
 	} while (0)
 
 #endif

@@ -22,16 +22,16 @@ const SlotsOf slots_of[SLOT_KINDS] = {
     {"slots.exclusion", offsetof(scree_world, exclusions.slots), 0},
 };
 
-static const Column generation_column[] = {{"generation", COLUMN_EACH, 0, sizeof(uint32_t), 1}};
-static const Column int_column[] = {{"each", COLUMN_EACH, 0, sizeof(int), 1}};
-static const Column word64_column[] = {{"each", COLUMN_EACH, 0, sizeof(uint64_t), 1}};
+static const Column generation_column[] = {{"generation", 0, sizeof(uint32_t), 1, COLUMN_EACH}};
+static const Column int_column[] = {{"each", 0, sizeof(int), 1, COLUMN_EACH}};
+static const Column word64_column[] = {{"each", 0, sizeof(uint64_t), 1, COLUMN_EACH}};
 
 #define WORD(offset)                    \
 	{                                   \
-		NULL, COLUMN_ZERO, offset, 4, 1 \
+		NULL, offset, 4, 1, COLUMN_ZERO \
 	}
 #define WORDS4(offset) WORD(offset), WORD(offset + 4), WORD(offset + 8), WORD(offset + 12)
-static const Column report_columns[] = {{NULL, COLUMN_EACH, 0, 4, 1},
+static const Column report_columns[] = {{NULL, 0, 4, 1, COLUMN_EACH},
                                         WORD(4),
                                         WORD(8),
                                         WORD(12),
@@ -189,6 +189,16 @@ static scree_status read_struct(const ChunkIndex* index, HostTable table, void* 
 	return SCREE_OK;
 }
 
+static scree_status read_array(const ChunkIndex* index, const ColumnTable* table, void** array, int* capacity,
+                               size_t stride, int count, int kept)
+{
+	TRY(check_count(index, table->prefix, count, INT32_MAX));
+	TRY(columns_check(index, table, count));
+	TRY(grow(index->function, array, capacity, stride, kept));
+	columns_read(index, table, *array, stride, count);
+	return SCREE_OK;
+}
+
 scree_status host_read(const ChunkIndex* index, scree_world* world)
 {
 	const char* function = index->function;
@@ -200,10 +210,7 @@ scree_status host_read(const ChunkIndex* index, scree_world* world)
 	for (int k = 0; k < SLOT_KINDS; ++k)
 		TRY(read_slots(index, world, k));
 #define ARRAY(part, table, array, capacity, count, kept) \
-	TRY(check_count(index, #count, count, INT32_MAX));   \
-	TRY(columns_check(index, table, count));             \
-	TRY(GROW(function, array, capacity, kept));          \
-	columns_read(index, table, array, sizeof *(array), count);
+	TRY(read_array(index, table, (void**)&(array), &(capacity), sizeof *(array), count, kept));
 	HOST_ARRAYS(ARRAY)
 #undef ARRAY
 	int departed = world->reports.departed_capacity;

@@ -11,8 +11,7 @@
 #define SAVED_KEPT(x)   x
 #define SAVED_PLACED(x) x
 #define SAVED_PREPARED(x)
-#define ROW_COLUMN(type, row) \
-	{#row, COLUMN_ZERO, (int)offsetof(struct type, row), (int)sizeof MEMBER_OF(struct type, row), 1},
+#define ROW_COLUMN(type, row)                                    {#row, offsetof(struct type, row), sizeof MEMBER_OF(struct type, row), 1, COLUMN_ZERO},
 #define ROW_CONTACT(name, gate, life, inert, read, written)      SAVED_##life(ROW_COLUMN(ContactRows, name))
 #define ROW_CONTACT_RARE(name, gate, life, inert, read, written) SAVED_##life(ROW_COLUMN(ContactRareRows, name))
 #define ROW_JOINT(name, gate, life, inert, read, written)        ROW_COLUMN(JointRows, name)
@@ -40,7 +39,7 @@ typedef struct
 static const RowColumns rows_of[] = {ROWS(contact_rows), ROWS(contact_rare_rows), ROWS(joint_rows),
                                      ROWS(joint_rare_rows)};
 
-static const Column leaf_column[] = {{"each", COLUMN_EACH, 0, sizeof(int), 1}};
+static const Column leaf_column[] = {{"each", 0, sizeof(int), 1, COLUMN_EACH}};
 const ColumnTable leaf_tables[2] = {COLUMN_TABLE("leaves0", leaf_column), COLUMN_TABLE("leaves1", leaf_column)};
 
 // Returns whether a pool follows from other data of a snapshot: counters are saved by name, samples of paths with the
