@@ -68,8 +68,7 @@ static void close_scene(void)
 	player_close(&page.player);
 	scene_free(page.scene);
 	page.scene = NULL;
-	page.grab = page.reached = (Grab){0};
-	page.pour = (Pour){.rate = POUR_RATE};
+	page_begin_tools();
 	page.hovered = page.selected = (Inspected){0};
 	page.added = page.follows = false;
 	*page.told = 0;
@@ -129,7 +128,7 @@ EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
 	close_scene();
 	page.scene = scene;
 	page.player = player;
-	page.grab.world = page.reached.world = player.world;
+	page_begin_tools();
 	share_open(&page.share, player.world, true);
 	return page_show_world();
 }

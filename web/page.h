@@ -41,6 +41,9 @@ bool page_fail(const char* sentence);
 // Returns true if status is SCREE_OK; else stores the error for page_error and returns false.
 bool page_check(scree_status status);
 
+// Forgets the tools of the visitor: nothing is held or poured, and nothing has been thrown.
+void page_begin_tools(void);
+
 // Reads the world again into the renderer, after bodies were added or another world was loaded. Returns false on
 // failure.
 bool page_show_world(void);

@@ -6,6 +6,12 @@
 #include "view/blast_tool.h"
 #include "web/page.h"
 
+void page_begin_tools(void)
+{
+	page.grab = page.reached = (Grab){.world = page.player.world};
+	page.pour = (Pour){.rate = POUR_RATE};
+}
+
 // Returns the tables of the current world. If there is no picture, fills `own` with tables for this call. Returns null
 // on failure.
 static const RenderTables* open_tables(RenderTables* own, Sprites* sprites)

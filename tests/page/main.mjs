@@ -7,6 +7,7 @@ import { checkHands, checkRecord, replay } from './tools.mjs';
 import { checkHashes, checkSleepers, nativeHashes } from './hashes.mjs';
 import { checkLooks } from './inspect.mjs';
 import { checkPictures } from './pictures.mjs';
+import { checkRewind } from './rewind.mjs';
 
 const [scree, page, scratch] = process.argv.slice(2);
 const serve = new URL('../../web/serve.mjs', import.meta.url).pathname;
@@ -57,6 +58,7 @@ try {
 	await timed('looks', () => checkLooks(browser, common, check));
 	let played = null;
 	await timed('hands', async () => (played = await checkHands(browser, common, expected, check)));
+	await timed('rewinding', () => checkRewind(browser, common, scree, scratch, check));
 	await browser.cdp('Emulation.setDeviceMetricsOverride', { width: 320, height: 480, deviceScaleFactor: 1, mobile: false });
 	for (const [form, address, words] of [
 		['simd', common, 'SIMD, 1 thread'],

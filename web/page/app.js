@@ -3,6 +3,7 @@
 import { Body } from './body.js';
 import { Compare } from './compare.js';
 import { $, dress, element, segments } from './dom.js';
+import { Files } from './files.js';
 import { Host } from './host.js';
 import { Input } from './input.js';
 import { Keys } from './keys.js';
@@ -14,6 +15,7 @@ import { showParameters } from './parameters.js';
 import { fetchScene, fetchScenes, listScenes, markScene } from './scenes.js';
 import { Share } from './share.js';
 import { Theme } from './theme.js';
+import { Timeline } from './timeline.js';
 
 const DENSEST = 2; // maximum pixels of the picture per pixel of the page; more pixels reduce a phone's frame rate
 const SLOW_FRAMES = 20; // frames per second: below this rate, the picture is drawn with fewer details
@@ -91,6 +93,14 @@ class App {
 			() => this.host.ask({ type: 'record' }),
 			() => this.say({ type: 'restart', replay: true }),
 		);
+		this.timeline = new Timeline(this.say);
+		this.files = new Files({
+			ask: (message) => this.host.ask(message),
+			load: (scene) => this.load(scene),
+			source: () => this.source,
+			scenes: this.scenes,
+			tell: (sentence, kind) => note(sentence, { kind, name: 'file' }),
+		});
 		this.input = new Input(this.canvas, this.view, this.say, () => this.tool);
 		new ResizeObserver(() => this.say({ type: 'resize', ...this.measure() })).observe($('stage'));
 		addEventListener('hashchange', () => this.openLink());
@@ -117,6 +127,7 @@ class App {
 		document.body.classList.toggle('paused', state.paused);
 		this.canvas.classList.toggle('holding', state.holding);
 		this.numbers.show(state);
+		this.timeline.show(state);
 		this.compare.show(state, this.scenes.get(this.source.name), this.source.settings, this.version);
 		this.share.show(state);
 		this.watch(state);
@@ -167,9 +178,9 @@ class App {
 		if (good && link.script.length > 0) note('Replay of recorded actions. Your first action ends it.', { name: 'replay' });
 	}
 
-	// Loads a scene. Parameters without a value in `settings` get the initial values of the page. Returns false if the
-	// scene was not loaded.
-	async load({ name, settings = [], script = [], until = null, keepView = false }) {
+	// Loads a scene. Parameters without a value in `settings` get the initial values of the page. file: bytes of a saved
+	// state with which it begins; script: then the actions before it, or null. Returns false if the scene was not loaded.
+	async load({ name, settings = [], script = [], until = null, file = null, keepView = false }) {
 		const scene = this.scenes.get(name);
 		const given = new Map(settings);
 		const own = scene.parameters.map((p) => [p.name, String(given.get(p.name) ?? p.start)]);
@@ -179,8 +190,8 @@ class App {
 		let good = false;
 		try {
 			const text = await fetchScene(name);
-			const paused = script.length > 0 ? false : undefined;
-			good = await this.host.ask({ type: 'load', name, text, settings: own, script, until, keepView, paused });
+			const paused = file ? true : script.length > 0 ? false : undefined;
+			good = await this.host.ask({ type: 'load', name, text, settings: own, script, until, file, keepView, paused });
 		} catch (error) {
 			note(error.message, { kind: 'bad', name: 'load', lasting: true });
 		}
@@ -247,6 +258,7 @@ class App {
 		const own = {
 			pause: { button: 'pause' },
 			step: { button: 'once', repeats: true },
+			back: { run: () => this.say({ type: 'back', count: 1 }), repeats: true },
 			restart: { button: 'restart' },
 			slower: { run: () => this.speed(-1) },
 			faster: { run: () => this.speed(1) },

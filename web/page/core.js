@@ -75,4 +75,37 @@ export class Core {
 		this.module._free(pointer);
 		return places;
 	}
+	// Returns the bytes of a moment: the state of the world and of the tools. source: text for a file; empty: none.
+	moment(source = '') {
+		const text = this.module.allocateUTF8(source);
+		const pointer = this.module._page_moment(text);
+		this.module._free(text);
+		this.check(pointer);
+		const [at, size] = this.numbersAt(pointer, 2);
+		return this.module.HEAPU8.slice(at, at + size);
+	}
+	// Calls use(address, size) with a copy of bytes in the memory of the engine.
+	withBytes(bytes, use) {
+		const at = this.module._malloc(bytes.length);
+		if (!at) throw new Error(`there is no memory for ${bytes.length} bytes`);
+		this.module.HEAPU8.set(bytes, at);
+		try {
+			return use(at, bytes.length);
+		} finally {
+			this.module._free(at);
+		}
+	}
+	restore(bytes) {
+		this.withBytes(bytes, (at, size) => this.check(this.module._page_return(at, size)));
+	}
+	// Returns the text that a file of the page contains; empty for a file of another program.
+	sourceOf(bytes) {
+		return this.withBytes(bytes, (at, size) => {
+			const pointer = this.module._page_moment_source(at, size);
+			this.check(pointer);
+			const text = this.text(pointer);
+			this.module._free(pointer);
+			return text;
+		});
+	}
 }

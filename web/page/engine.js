@@ -5,9 +5,11 @@
 // {type, ...}.
 import { Core } from './core.js';
 import { Inspector } from './inspector.js';
+import { Moments } from './moments.js';
 import { Picture } from './picture.js';
 import { Player } from './player.js';
 import { Pointer } from './pointer.js';
+import { encodeActions } from './record.js';
 import { loadForm } from './wasm.js';
 
 const LONGEST = 30; // ms: maximum duration of the steps in a frame; a slower world falls behind the clock
@@ -33,6 +35,11 @@ export class Engine {
 		this.frames = 0;
 		this.drawing = 0; // ms: drawing time of the last frame
 		this.hashCost = 0;
+		this.past = new Moments();
+		this.end = 0; // last step of the time line
+		this.target = null; // step to which the world is computed again; null: none
+		this.dragged = false; // true while the visitor drags the time line, when the clock stands still
+		this.down = 0; // keys that are down now, as bits
 	}
 
 	async open({ form, threads, canvas, width, height, density }) {
@@ -60,14 +67,17 @@ export class Engine {
 	}
 
 	// Loads a scene. script: recorded actions to play. until: {step, hash} at the end of the recording; null if nothing
-	// is played.
-	async load({ name, text, settings, script = [], until = null, keepView = false, paused = this.paused }) {
+	// is played. file: bytes of a saved state of this scene, with which it begins; script: the actions before that state, or
+	// null if they are not known.
+	async load({ name, text, settings, script = [], until = null, file = null, keepView = false, paused = this.paused }) {
 		await this.core.threadsReady(this.threads);
 		this.pointer.cancel();
 		this.core.load(name, text, settings, this.threads);
 		this.source = { name, text, settings };
 		this.inspector.begin();
-		this.player.start(script, until);
+		this.player.start(script ?? [], until);
+		this.beginTime();
+		if (file) await this.begin(file, script);
 		this.behind = 0;
 		this.history = [];
 		this.failed = false;
@@ -81,6 +91,77 @@ export class Engine {
 			nextFrame((now) => this.frame(now));
 		}
 		return true;
+	}
+
+	// Begins a time line at the current step.
+	beginTime() {
+		this.past.clear();
+		this.end = this.step;
+		this.target = null;
+		this.dragged = false;
+		this.keep();
+	}
+
+	// Begins with a saved state. If it is refused, loads the scene again and throws the error.
+	async begin(file, script) {
+		try {
+			this.core.restore(file);
+		} catch (error) {
+			const { name, text, settings } = this.source;
+			await this.load({ name, text, settings });
+			throw error;
+		}
+		if (script === null) return this.beginTime(); // the steps before it cannot be computed
+		this.player.rewind(0);
+		this.player.rewind(this.player.script.length);
+		this.end = this.step;
+		this.keep();
+	}
+
+	// Returns {name, bytes}: the current state as a file, with the scene and the actions so far.
+	save() {
+		const { name, settings } = this.source;
+		const source = JSON.stringify({ scene: name, settings, actions: encodeActions(this.player.done) });
+		return { name: `${name}-${this.step}.snap`, bytes: this.core.moment(source) };
+	}
+	// Returns the text of a file: scene, settings and actions; empty for a file of another program.
+	read({ bytes }) {
+		return this.core.sourceOf(bytes);
+	}
+
+	// Adds a moment to the past.
+	keep() {
+		const begin = performance.now();
+		const moment = { step: this.step, actions: this.player.done.length, bytes: this.core.moment() };
+		this.past.add(moment, performance.now() - begin);
+	}
+
+	// Goes to a step of the time line. dragged: true while more such messages follow.
+	seek({ step, dragged = false }) {
+		this.pointer.cancel();
+		this.dragged = dragged;
+		this.behind = 0;
+		if (this.past.first === undefined || this.failed) return;
+		this.target = Math.max(this.past.first, Math.min(this.end, step));
+		const moment = this.past.before(this.target);
+		if (this.target >= this.step && moment.step <= this.step) return;
+		this.core.restore(moment.bytes);
+		this.player.rewind(moment.actions);
+	}
+	back({ count }) {
+		this.paused = true;
+		this.seek({ step: (this.target ?? this.step) - count });
+	}
+
+	// Takes steps to the target for some time, ms.
+	approach(time) {
+		const begin = performance.now();
+		while (this.step < this.target && !this.failed && performance.now() - begin < time) this.advance();
+		if (this.step < this.target && !this.failed) return;
+		if (this.step === this.end) this.player.play(this.end); // actions after the last step
+		this.target = null;
+		this.changed = true;
+		this.report();
 	}
 
 	async restart({ replay = false }) {
@@ -101,6 +182,7 @@ export class Engine {
 	}
 	steps({ count }) {
 		this.paused = true;
+		if (this.target !== null) this.approach(Infinity);
 		for (let k = 0; k < count && !this.failed; ++k) this.advance();
 		this.report();
 	}
@@ -146,6 +228,7 @@ export class Engine {
 		this.inspector.forget();
 	}
 	keys({ down }) {
+		this.down = down;
 		if (down !== this.player.keys) this.act('keys', [down]);
 	}
 
@@ -172,23 +255,38 @@ export class Engine {
 		this.picture.lose(restore);
 	}
 
-	// Applies and records an action of the visitor. The action ends a replay.
+	// Applies and records an action of the visitor. The action ends a replay, and drops the steps that followed.
 	act(name, values) {
+		if (this.step < this.end || this.player.replaying) this.cut(name);
 		return this.player.act(this.step, name, values);
+	}
+
+	// Drops what follows the current step, before an action. A body that the dropped actions would have released is released.
+	cut(name) {
+		const { holds, keys } = this.player;
+		this.target = null;
+		this.end = this.step;
+		this.past.cut(this.step, this.player.done.length);
+		this.player.cut();
+		if (holds && name !== 'release') this.player.act(this.step, 'release');
+		if (keys !== this.down && name !== 'keys') this.player.act(this.step, 'keys', [this.down]);
 	}
 
 	advance() {
 		try {
 			this.player.play(this.step);
-			this.pointer.beforeStep();
+			if (this.target === null) this.pointer.beforeStep();
 			this.core.check(this.core.module._page_step(this.player.keys));
 		} catch (error) {
 			this.failed = this.paused = true;
 			this.say({ type: 'error', sentence: error.message, of: 'step' });
 			return;
 		}
-		this.history.push(this.core.module._page_milliseconds());
+		const time = this.core.module._page_milliseconds();
+		this.history.push(time);
 		this.changed = true;
+		this.end = Math.max(this.end, this.step);
+		if (this.past.due(this.step, time)) this.keep();
 		const told = this.core.text(this.core.module._page_told());
 		if (told) this.say({ type: 'error', sentence: told, of: 'tool' });
 		if (this.player.until?.step === this.step) this.verdict();
@@ -196,6 +294,7 @@ export class Engine {
 
 	// Compares the hash at the end of a replay with the recorded hash, reports the result, and pauses.
 	verdict() {
+		this.player.play(this.step); // actions after the last step
 		const hash = this.core.hash();
 		const expected = this.player.until.hash;
 		this.player.until = null;
@@ -209,8 +308,10 @@ export class Engine {
 		this.time = now;
 		const begin = performance.now();
 		const dt = this.core.numbers().dt;
-		if (!this.paused) this.behind += Math.min(seconds, 0.1) * this.rate;
-		while (!this.paused && this.behind >= dt * 0.999) {
+		if (this.target !== null) this.approach(LONGEST);
+		const runs = () => !this.paused && !this.dragged && this.target === null;
+		if (runs()) this.behind += Math.min(seconds, 0.1) * this.rate;
+		while (runs() && this.behind >= dt * 0.999) {
 			this.behind -= dt;
 			this.advance();
 			if (performance.now() - begin > LONGEST) this.behind = 0;
@@ -245,6 +346,9 @@ export class Engine {
 		message.touched = this.player.touched;
 		message.replaying = this.player.replaying;
 		message.holding = this.pointer.holds;
+		message.first = this.past.first;
+		message.end = this.end;
+		message.target = this.target;
 		if (this.paused || this.hashCost < COSTLY) {
 			message.hash = this.core.hash();
 			this.hashCost = performance.now() - now;

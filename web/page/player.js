@@ -23,6 +23,27 @@ export class Player {
 		return this.done.length > 0;
 	}
 
+	// Returns true if a body is held or bodies are poured after the actions so far.
+	get holds() {
+		const last = this.done.filter(({ kind }) => /^(pick|pour|release)$/.test(kind)).at(-1);
+		return last !== undefined && last.kind !== 'release';
+	}
+
+	// Goes back to the first `count` actions. The script then has all actions: those that follow are applied again.
+	rewind(count) {
+		this.script = [...this.done, ...this.script.slice(this.next)];
+		this.next = count;
+		this.done = this.script.slice(0, count);
+		this.keys = this.done.filter(({ kind }) => kind === 'keys').at(-1)?.values[0] ?? 0;
+	}
+
+	// Ends the script: the actions that follow are dropped.
+	cut() {
+		this.script = [];
+		this.next = 0;
+		this.until = null;
+	}
+
 	// Applies an action. Returns true if the action had an effect; act() does not record an action without effect.
 	apply(action) {
 		const m = this.module;
@@ -50,9 +71,7 @@ export class Player {
 
 	// Applies and records an action of the visitor before a step. The action ends the script.
 	act(step, name, values) {
-		this.script = [];
-		this.next = 0;
-		this.until = null;
+		this.cut();
 		const action = makeAction(step, name, values);
 		const good = Boolean(this.apply(action));
 		if (good) this.done.push(action);

@@ -36,7 +36,7 @@ export class Share {
 		let link = writeLink({ ...this.source(), record });
 		this.note.textContent = '';
 		if (link.length > LONGEST) {
-			this.note.textContent = `With your actions the link has ${link.length} characters, more than the limit of ${LONGEST}: this link contains only the scene and its parameters.`;
+			this.note.textContent = `With your actions the link has ${link.length} characters, more than the limit of ${LONGEST}: this link contains only the scene and its parameters. A saved state has them all: send the file instead.`;
 			link = writeLink(this.source());
 		} else if (record.actions.length > 0)
 			this.note.textContent = `${link.length} characters: ${record.actions.length} action${record.actions.length > 1 ? 's' : ''} until step ${record.step}.`;

@@ -107,6 +107,8 @@ scree_status chunks_end(ChunkWriter* writer, const char* function)
 	return SCREE_OK;
 }
 
+void chunks_continue(ChunkWriter* writer) { writer->used -= 1 + DIGEST_BYTES; }
+
 static uint32_t hash_name(const char* name, int length)
 {
 	uint32_t hash = 2166136261u; // FNV-1a: Fowler, Noll, Vo, 1991

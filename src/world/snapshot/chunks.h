@@ -40,6 +40,8 @@ uint8_t* chunk_add(ChunkWriter* writer, const char* name, int bytes, int count, 
 uint64_t chunks_digest(const uint8_t* bytes, size_t size);
 // Ends a snapshot with the digest. Fails if memory was missing at any time.
 scree_status chunks_end(ChunkWriter* writer, const char* function);
+// Takes the end of a snapshot away, so that a program may append chunks of its own; readers skip chunks that they lack.
+void chunks_continue(ChunkWriter* writer);
 
 // Checks the header and the digest of a snapshot, and finds its chunks. Fails with SCREE_ERROR_INVALID otherwise.
 scree_status chunks_open(ChunkIndex* index, const char* function, const void* bytes, size_t size);
