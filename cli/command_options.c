@@ -121,7 +121,7 @@ static const OptionRow rows[] = {
     {&layers, RUN | VIEW},
     {&script, VIEW},
     {&option_csv, RUN},
-    {&load, RUN},
+    {&load, RUN | VIEW},
     {&save, RUN},
     {&record, RUN},
     {&hash_interval, RUN},

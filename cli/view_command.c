@@ -22,6 +22,7 @@ int view_command(const Options* options)
 	                    .layers = options->layers,
 	                    .dark = options->dark,
 	                    .scale = options->scale,
+	                    .load = options->load,
 	                    .script = options->script};
 	return view_run(&view);
 }

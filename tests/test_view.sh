@@ -344,6 +344,119 @@ print
 END
 [ "$(nth steps 2)" = $(($(nth steps 1) + 3)) ] || fail "n three times in a frame takes not three steps"
 
+# the time line: each past step has the hash that it had, with every tool, and the steps after it are repeated until the user acts
+view 0 pyramid --set rows=8 <<'END'
+frames 20
+print
+cursor 450 100
+key t
+frames 30
+print
+hold m
+frames 20
+print
+release m
+frames 30
+cursor 450 400
+button down
+frames 5
+print
+cursor 550 300
+frames 25
+button up
+key x
+print
+rewind 20
+print
+rewind 70
+print
+rewind 50
+print
+rewind 105
+print
+rewind 130
+print
+rewind 106
+key ,
+frames 1
+print
+key space
+frames 25
+print
+rewind 60
+key t
+frames 2
+print
+rewind 60
+rewind 62
+print
+END
+for pair in '1 6' '3 7' '2 8' '4 9' '5 10' '4 11' '5 12' '13 14'; do
+	read -r early late <<<"$pair"
+	[ "$(nth hash "$early")" = "$(nth hash "$late")" ] && [ "$(nth steps "$early")" = "$(nth steps "$late")" ] ||
+		fail "time line: lines $early and $late differ"
+done
+[ "$(nth bodies 7)" = 46 ] || fail "time line: poured bodies do not come back"
+view 2 "${small[@]}" <<<'rewind 9'
+says '"rewind 9" cannot be done'
+view 0 platformer <<'END'
+frames 10
+hold right
+frames 40
+print
+release right
+frames 60
+print
+rewind 50
+print
+key space
+key space
+frames 60
+print
+END
+[ "$(nth hash 1)" = "$(nth hash 3)" ] && [ "$(nth hash 2)" = "$(nth hash 4)" ] || fail "time line: a character is elsewhere"
+
+# states as files: scree run goes on from them, and the viewer begins with them
+rm -f scree-*.snap
+view 0 "${small[@]}" <<'END'
+cursor 400 100
+frames 20
+key t
+frames 20
+key s
+frames 10
+print
+key y
+frames 1
+print
+key space
+frames 10
+print
+END
+[ "$(nth hash 1)" = "$(nth hash 3)" ] || fail "a loaded state goes on with another hash"
+says 'steps 40'
+kept=$(nth hash 1)
+"$scree" run "${small[@]}" --device cpu --load scree-1.snap --steps 10 >out 2>err
+says "$kept"
+view 0 "${small[@]}" --load scree-1.snap <<'END'
+key space
+frames 10
+print
+rewind 40
+END
+[ "$(nth hash 1)" = "$kept" ] || fail "view --load goes on with another hash"
+says 'steps 50'
+echo 'no snapshot' >bad.snap
+view 2 "${small[@]}" --load bad.snap </dev/null
+says 'are not a snapshot'
+view 2 platformer --load scree-1.snap </dev/null
+says 'the scene has characters'
+view 0 "${small[@]}" <<'END'
+key y
+print
+END
+says 'no state has been saved yet'
+
 # a key without effect prints the reason
 if ! grep -q '^opencl' <<<"$("$scree" devices)"; then
 	view 0 "${small[@]}" <<'END'
@@ -582,6 +695,30 @@ sed -n 3p out | grep -q selected && fail "keys: Escape does not forget"
 [ "$(wc -l <out)" = 4 ] || fail "keys: a key that was let go still pushes"
 [ "$(nth hash 3)" != "$("$scree" hash ./eyes.json --steps "$(nth steps 3)" --device cpu)" ] || fail "keys: nothing was pushed"
 
+# the time line in the panel: dragged to its middle
+cat >script <<'END'
+frames 60
+key space
+print
+await running
+print
+END
+timeout 120 "$scree" view billiards --device cpu --size 800x700 --script script >out 2>err &
+viewer=$!
+window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree:' | head -n 1)
+printed 1
+xdotool windowfocus "$window"
+moved 280 132 mousedown 1
+for x in 250 200 160; do
+	moved $x 132
+	sleep 0.2
+done
+xdotool mouseup 1 key space
+wait $viewer || fail "time line: exit code $?"
+steps=$(nth steps 2)
+[ "$steps" -gt 20 ] && [ "$steps" -lt 45 ] || fail "time line: the middle of 60 steps is step $steps"
+[ "$(nth hash 2)" = "$("$scree" hash billiards --steps "$steps" --device cpu)" ] || fail "time line: step $steps has another hash"
+
 # the panel: a parameter and a paint of the same name have different fields
 cat >script <<'END'
 frames 5
@@ -596,7 +733,7 @@ printed 1
 xdotool windowfocus "$window"
 moved 60 83 click --repeat 2 --delay 200 1 # the field "speed"
 xdotool key --delay 100 6 0 Return
-moved 126 572 click 1 # the paint "speed"
+moved 126 595 click 1 # the paint "speed"
 wait $viewer || fail "panel: exit code $?"
 says 'painted by speed'
 

@@ -63,8 +63,7 @@ void capture_window(Capture* c)
 	gl_picture_read(&c->canvas);
 }
 
-// Finds the first unused name scree-N with this ending. Returns false and writes a sentence if all are used.
-static bool free_name(char path[64], const char* ending, char* sentence)
+bool capture_name(char path[64], const char* ending, char* sentence)
 {
 	for (int k = 1; k < MOST_FILES; ++k)
 	{
@@ -79,7 +78,7 @@ static bool free_name(char path[64], const char* ending, char* sentence)
 bool capture_save(Capture* c, const char* path, char* sentence)
 {
 	char made[64];
-	if (!path && !free_name(made, "png", sentence))
+	if (!path && !capture_name(made, "png", sentence))
 		return false;
 	path = path ? path : made;
 	errno = 0;
@@ -95,7 +94,7 @@ bool capture_save(Capture* c, const char* path, char* sentence)
 
 bool capture_begin(Capture* c, char* sentence)
 {
-	if (!free_name(c->path, "mp4", sentence))
+	if (!capture_name(c->path, "mp4", sentence))
 		return false;
 	c->seconds = 0;
 	if (video_open(&c->video, c->path, c->canvas.width, c->canvas.height))

@@ -30,6 +30,9 @@ void capture_draw(Capture* capture, Renderer* renderer, const Share* share, cons
 // Reads the back buffer of the window into the picture.
 void capture_window(Capture* capture);
 
+// Finds the first unused name scree-N with this ending. Returns false and writes a sentence if all are used.
+bool capture_name(char path[64], const char* ending, char* sentence);
+
 // Writes the picture to a file; if `path` is null, to a new file scree-N.png in the current folder. Writes a sentence
 // that names the file or the error. Returns false on failure.
 bool capture_save(Capture* capture, const char* path, char* sentence);

@@ -6,6 +6,8 @@
 #include "view/window/framing.h"
 #include "view/window/full_screen.h"
 #include "view/window/report_all.h"
+#include "view/window/rewind.h"
+#include "view/window/state_file.h"
 #include "view/window/tools.h"
 #include "view/window/viewer.h"
 #include <math.h>
@@ -26,8 +28,16 @@ static void step_once(Viewer* v)
 // Sets the point of the world under the cursor.
 static void update_cursor(Viewer* v) { v->grab.at = camera_point(&v->camera, v->x, v->y); }
 
+static void step_back(Viewer* v)
+{
+	v->session.paused = true;
+	if (!rewind_to(v, (v->target >= 0 ? v->target : v->session.player.steps) - 1))
+		viewer_show(v, "this world is too large to go back");
+}
+
 static void report_all(Viewer* v)
 {
+	rewind_cut(v);
 	bool good = reports_all(v->session.player.world) == SCREE_OK;
 	v->session.hashed = false;
 	viewer_show(v, good ? "all collidables report touches and hits; the hash changes, the motion does not"
@@ -79,6 +89,9 @@ static bool session_action(Viewer* v, Action action)
 		return true;
 	case ACTION_step:
 		step_once(v);
+		return true;
+	case ACTION_back:
+		step_back(v);
 		return true;
 	case ACTION_restart:
 		viewer_load(v, session->name, false);
@@ -154,6 +167,12 @@ static void window_action(Viewer* v, Action action)
 {
 	switch (action)
 	{
+	case ACTION_save:
+		state_save(v);
+		break;
+	case ACTION_load:
+		state_load(v, NULL);
+		break;
 	case ACTION_picture:
 		export_picture(v, NULL);
 		break;
@@ -195,6 +214,8 @@ bool input_scene_key(Viewer* v, SceneKey key, bool down)
 	uint32_t bit = 1u << key;
 	if (!(player_keys(v->session.scene) & bit))
 		return false;
+	if (down)
+		rewind_cut(v);
 	v->session.player.down = down ? v->session.player.down | bit : v->session.player.down & ~bit;
 	return true;
 }
@@ -220,14 +241,32 @@ void input_cursor(Viewer* v, float x, float y, double seconds)
 	grab_move(&v->grab, camera_point(&v->camera, x, y), seconds);
 }
 
+// Picks the body under the cursor. Returns false if there is none. At a past step, drops the steps that followed.
+static bool pick(Viewer* v)
+{
+	const RenderTables* tables = &v->renderer.tables;
+	Grab past = v->grab;
+	if (render_tables_update_bodies(&v->renderer.tables) != SCREE_OK)
+		return false;
+	if (rewind_repeats(v))
+	{
+		bool reached = grab_reach(&v->grab, tables);
+		v->grab = past;
+		if (!reached)
+			return false;
+		rewind_cut(v);
+		update_cursor(v);
+	}
+	return grab_pick(&v->grab, tables);
+}
+
 void input_button(Viewer* v, bool right, bool down)
 {
 	update_cursor(v);
-	RenderTables* tables = &v->renderer.tables;
-	v->panning = down && (right || render_tables_update_bodies(tables) != SCREE_OK || !grab_pick(&v->grab, tables));
+	v->panning = down && (right || !pick(v));
 	if (right)
 		return;
-	if (!down)
+	if (!down && !rewind_repeats(v)) // at a past step the tools are those of the past
 		grab_release(&v->grab);
 	if (!down && v->pressed)
 		viewer_select(v);

@@ -152,6 +152,7 @@ static void draw_panel(Viewer* v, const ImVec2& size)
 void panel_draw(Viewer* v)
 {
 	look_set_theme(v->style.dark);
+	v->dragging = false;
 	ImGui_ImplOpenGL3_NewFrame();
 	ImGui_ImplGlfw_NewFrame();
 	place_mouse(v);

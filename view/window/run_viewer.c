@@ -4,7 +4,9 @@
 #include "view/window/draw.h"
 #include "view/window/framing.h"
 #include "view/window/input.h"
+#include "view/window/rewind.h"
 #include "view/window/script.h"
+#include "view/window/state_file.h"
 #include "view/window/tools.h"
 #include "view/window/viewer.h"
 #include "view/window/window.h"
@@ -32,14 +34,49 @@ void view_print_keys(FILE* file)
 #undef X
 }
 
-// Takes the steps that are due in simulated time; for a script, takes one step per frame. A step that fails ends the
-// viewer.
-static void advance(Viewer* v, bool scripted, double seconds)
+// Takes one step, and sets *added to true if it created bodies. Returns false if it fails, which ends the viewer.
+static bool step_world(Viewer* v, double dt, bool* added)
 {
 	Session* session = &v->session;
 	char sentence[SENTENCE];
+	if (grab_pull(&v->grab) != SCREE_OK)
+		grab_release(&v->grab); // the held body no longer exists
+	bool good = tools_step(v, added);
+	if (!good)
+		viewer_fail(v, scree_error());
+	else if (!(good = session_step(session, sentence)))
+		viewer_fail(v, sentence);
+	else if (!(good =
+	               renderer_step(&v->renderer, &v->camera, &v->style, (double)session->player.steps * dt) == SCREE_OK))
+		viewer_fail(v, scree_error());
+	if (good)
+		rewind_add(v);
+	return good;
+}
+
+// Takes steps of the past, until the target is reached or the frame has taken long enough.
+static void approach(Viewer* v)
+{
+	double begin = glfwGetTime();
+	v->session.accumulator = 0;
+	while (v->target >= 0 && glfwGetTime() - begin < LONGEST)
+		if (!rewind_step(v))
+			viewer_show(v, scree_error());
+	viewer_update_world(v);
+}
+
+// Takes the steps that are due in simulated time; for a script, takes one step per frame. Steps of the past are repeated. A step
+// that fails ends the viewer.
+static void advance(Viewer* v, bool scripted, double seconds)
+{
+	Session* session = &v->session;
 	double begin = glfwGetTime(), dt = (double)session->scene->dt;
-	if (!session->paused)
+	if (v->target >= 0)
+	{
+		approach(v);
+		return;
+	}
+	if (!session->paused && !v->dragging)
 		session->accumulator += scripted ? dt : (seconds < 0.1 ? seconds : 0.1) * (double)session->rate;
 	bool added = false;
 	while (session->due > 0 || session->accumulator >= dt * 0.999)
@@ -49,22 +86,17 @@ static void advance(Viewer* v, bool scripted, double seconds)
 		else
 			session->accumulator -= dt;
 		v->capture.seconds += dt;
-		if (grab_pull(&v->grab) != SCREE_OK)
-			grab_release(&v->grab); // the held body no longer exists
-		if (!tools_step(v, &added))
+		if (rewind_repeats(v) && session->player.steps < v->begun + v->past.end)
 		{
-			viewer_fail(v, scree_error());
-			return;
+			if (!rewind_step(v))
+				viewer_show(v, scree_error());
+			added = true; // the world may have other bodies
 		}
-		if (!session_step(session, sentence))
+		else
 		{
-			viewer_fail(v, sentence);
-			return;
-		}
-		if (renderer_step(&v->renderer, &v->camera, &v->style, (double)session->player.steps * dt) != SCREE_OK)
-		{
-			viewer_fail(v, scree_error());
-			return;
+			rewind_cut(v);
+			if (!step_world(v, dt, &added))
+				return;
 		}
 		history_step(&v->history, session->last);
 		if (glfwGetTime() - begin > LONGEST)
@@ -136,6 +168,14 @@ static bool open_viewer(Loop* loop, char* sentence)
 	if (!viewer_update_world(v))
 		return false;
 	eye_fit_scene(v);
+	rewind_begin(v);
+	v->code = 2;
+	if (o->load && !state_load(v, o->load))
+	{
+		snprintf(sentence, SENTENCE, "%s", v->message);
+		return false;
+	}
+	v->code = 0;
 	v->frame_time = glfwGetTime();
 	return true;
 }
@@ -149,6 +189,7 @@ static void close_viewer(Loop* loop)
 		if (v->share.world)
 			share_close(&v->share);
 		renderer_close(&v->renderer);
+		rewind_end(v);
 		session_close(&v->session);
 		window_close(v);
 	}

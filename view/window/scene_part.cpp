@@ -2,6 +2,7 @@
 // scene_part.cpp -- draws the part of the panel with the controls of scene and device; in C++.
 extern "C" {
 #include "view/window/input.h"
+#include "view/window/rewind.h"
 #include "view/window/viewer.h"
 }
 #include "view/window/overlay.h"
@@ -31,6 +32,25 @@ static void draw_scenes(Viewer* v)
 		ImGui::TextDisabled("%s", session_title(session, k));
 	}
 	ImGui::EndCombo();
+}
+
+// Draws the time line, which goes to any step of the past.
+static void draw_time_line(Viewer* v)
+{
+	int64_t first, end, step = v->target >= 0 ? v->target : v->session.player.steps;
+	if (!rewind_span(v, &first, &end))
+	{
+		ImGui::TextDisabled("step %" PRId64 "; too large to go back", step);
+		return;
+	}
+	char label[64];
+	snprintf(label, sizeof label, step < end ? "step %" PRId64 " of %" PRId64 : "step %" PRId64, step, end);
+	ImGui::SetNextItemWidth(-1.0f);
+	if (ImGui::SliderScalar("##time", ImGuiDataType_S64, &step, &first, &end, label, ImGuiSliderFlags_NoInput))
+		rewind_to(v, step);
+	v->dragging = ImGui::IsItemActive();
+	if (ImGui::IsItemHovered() && !v->dragging)
+		ImGui::SetTooltip("drag to an earlier step, from which the world goes on; , takes one step back");
 }
 
 void part_scene(Viewer* v)
@@ -63,6 +83,7 @@ void part_scene(Viewer* v)
 	ImGui::SameLine();
 	if (ImGui::Button("step", ImVec2(third, 0.0f)))
 		input_action(v, ACTION_step);
+	draw_time_line(v);
 	ImGui::SetNextItemWidth(FIELD);
 	ImGui::SliderFloat("speed, \u00d7 real time", &session->rate, 1.0f / 64.0f, 1.0f, "%.3f",
 	                   ImGuiSliderFlags_Logarithmic);

@@ -8,6 +8,8 @@
 #include "view/window/export.h"
 #include "view/window/input.h"
 #include "view/window/panel.h"
+#include "view/window/rewind.h"
+#include "view/window/state_file.h"
 #include "view/window/viewer.h"
 #include <GLFW/glfw3.h>
 #include <errno.h>
@@ -69,6 +71,15 @@ static bool hold_key(Viewer* v, const char* name, bool down)
 			return true;
 		}
 	return false;
+}
+
+// Goes to a step of the time line.
+static bool go_to(Viewer* v, int64_t step)
+{
+	bool good = rewind_to(v, step);
+	while (good && v->target >= 0)
+		good = rewind_step(v);
+	return good && v->session.player.steps == step && viewer_update_world(v);
 }
 
 static void print_inspected(const char* how, const Inspected* inspected)
@@ -165,6 +176,10 @@ static bool run_line(Script* script, Viewer* v, const char* line)
 		input_wheel(v, x);
 	else if (sscanf(line, "size %d %d %c", &n, &m, &rest) == 2 && n > 0 && m > 0)
 		glfwSetWindowSize(v->window, n, m);
+	else if (sscanf(line, "rewind %d %c", &n, &rest) == 1)
+		return go_to(v, n);
+	else if (sscanf(line, "load %255s %c", word, &rest) == 1)
+		return state_load(v, word);
 	else if (strcmp(line, "minimize") == 0)
 		glfwIconifyWindow(v->window);
 	else if (strcmp(line, "restore") == 0)

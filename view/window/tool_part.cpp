@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // tool_part.cpp -- draws the parts of the panel with the controls of the tools and of the solver; in C++.
 extern "C" {
+#include "view/window/rewind.h"
 #include "view/window/viewer.h"
 }
 #include "view/window/parts.h"
@@ -67,6 +68,7 @@ void part_solver(Viewer* v)
 	if (changed)
 	{
 		session->hashed = false;
+		rewind_cut(v);
 		if (tuning_write(t, session->scene, session->player.world) != SCREE_OK)
 			viewer_show(v, scree_error());
 	}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // tools.c -- tools of the user besides dragging: throws and pours bodies, sets off blasts.
 #include "view/window/tools.h"
+#include "view/window/rewind.h"
 #include "view/window/viewer.h"
 
 #define GLFW_INCLUDE_NONE
@@ -10,6 +11,7 @@
 
 void tools_launch(Viewer* v)
 {
+	rewind_cut(v);
 	v->grab.at = camera_point(&v->camera, v->x, v->y);
 	if (grab_launch(&v->grab, THROWN_SIZE / v->camera.scale) != SCREE_OK)
 		viewer_show(v, scree_error());
@@ -19,6 +21,8 @@ void tools_launch(Viewer* v)
 
 void tools_pour(Viewer* v, bool down)
 {
+	if (down)
+		rewind_cut(v);
 	if (!down)
 		pour_end(&v->tools.pour);
 	else if (!v->tools.pour.on && pour_begin(&v->tools.pour, v->session.player.world) != SCREE_OK)
@@ -40,6 +44,7 @@ static float radius(const Viewer* v) { return blast_radius(glfwGetTime() - v->to
 
 static void explode(Viewer* v)
 {
+	rewind_cut(v);
 	scree_blast_def def = scree_blast_def_default();
 	int count = 0;
 	def.position = v->grab.at;

@@ -18,6 +18,7 @@ typedef struct
 	const char *paint, *layers; // texts for style_read
 	bool dark;                  // dark theme
 	float scale;                // scale of the panel; 0: the scale of the display
+	const char* load;           // path of a snapshot with which the world begins; null: none
 	const char* script;         // path of a script (docs/view.md); null: the user controls the viewer
 } ViewOptions;
 

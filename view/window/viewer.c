@@ -2,6 +2,7 @@
 // viewer.c -- changes the viewer's state: loads a scene, moves the world to a device, reads the world, shows messages.
 #include "view/window/viewer.h"
 #include "view/window/framing.h"
+#include "view/window/rewind.h"
 #include <inttypes.h>
 #include <string.h>
 
@@ -116,11 +117,13 @@ void viewer_select(Viewer* v)
 bool viewer_load(Viewer* v, const char* name, bool fresh)
 {
 	bool other = strcmp(name, v->session.name) != 0;
+	rewind_end(v);
 	share_close(&v->share); // session_load may destroy the world, whose rows are shared
 	bool begun = session_load(&v->session, name, fresh, v->message);
 	share_open(&v->share, v->session.player.world, false);
 	if (!begun)
 	{
+		rewind_begin(v);
 		viewer_show(v, v->message);
 		return false;
 	}
@@ -132,6 +135,7 @@ bool viewer_load(Viewer* v, const char* name, bool fresh)
 	v->eye.follows = false;
 	v->selected = v->hovered = (Inspected){0};
 	v->next_device = -1;
+	rewind_begin(v);
 	if (!viewer_update_world(v))
 		return false;
 	if (other)

@@ -12,6 +12,7 @@
 #include "view/window/capture.h"
 #include "view/window/event_queue.h"
 #include "view/window/history.h"
+#include "view/window/past.h"
 #include "view/window/session.h"
 
 typedef struct GLFWwindow GLFWwindow;
@@ -50,6 +51,12 @@ typedef struct
 	Grab grab;
 	Tools tools;
 	Eye eye;
+	Past past;
+	unsigned char* note; // memory for the note of a step (rewind.c)
+	int64_t begun;       // number of steps of the world when the past began
+	int64_t target;      // step to which the world goes back; -1: none
+	bool dragging;       // true while the user drags the time line, when the world stands still
+	char saved[64];      // file of the state that was saved last; empty: none
 	Events events;
 	History history;
 	Inspected hovered, selected;
