@@ -23,6 +23,8 @@ int view_command(const Options* options)
 	                    .dark = options->dark,
 	                    .scale = options->scale,
 	                    .load = options->load,
+	                    .record = options->record,
+	                    .hash_interval = options->hash_interval,
 	                    .script = options->script};
 	return view_run(&view);
 }

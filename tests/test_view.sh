@@ -446,6 +446,22 @@ rewind 40
 END
 [ "$(nth hash 1)" = "$kept" ] || fail "view --load goes on with another hash"
 says 'steps 50'
+rm -f view.rec
+view 0 "${small[@]}" --record view.rec --hash-interval 10 <<'END'
+cursor 400 100
+frames 20
+key t
+frames 30
+rewind 40
+key x
+frames 20
+print
+END
+kept=$(nth hash 1)
+"$scree" replay view.rec --device cpu >out 2>err || fail "a recording of the viewer differs"
+says "$kept"
+view 1 "${small[@]}" --record nowhere/view.rec </dev/null
+says 'nowhere/view.rec'
 echo 'no snapshot' >bad.snap
 view 2 "${small[@]}" --load bad.snap </dev/null
 says 'are not a snapshot'

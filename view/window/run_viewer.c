@@ -175,6 +175,9 @@ static bool open_viewer(Loop* loop, char* sentence)
 		snprintf(sentence, SENTENCE, "%s", v->message);
 		return false;
 	}
+	v->code = 1;
+	if (!state_record(v, sentence))
+		return false;
 	v->code = 0;
 	v->frame_time = glfwGetTime();
 	return true;
@@ -183,8 +186,11 @@ static bool open_viewer(Loop* loop, char* sentence)
 static void close_viewer(Loop* loop)
 {
 	Viewer* v = &loop->viewer;
+	char sentence[SENTENCE];
 	if (v->window)
 	{
+		if (!state_end_recording(v, sentence))
+			viewer_fail(v, sentence);
 		capture_close(&v->capture);
 		if (v->share.world)
 			share_close(&v->share);

@@ -123,3 +123,27 @@ bool state_load(Viewer* v, const char* path)
 	free(bytes);
 	return good;
 }
+
+static bool failed(char* sentence)
+{
+	snprintf(sentence, SENTENCE, "%s", scree_error());
+	return false;
+}
+
+bool state_record(Viewer* v, char* sentence)
+{
+	scree_record_def def = scree_record_def_default();
+	def.path = v->options->record;
+	def.hash_interval = v->options->hash_interval;
+	if (!def.path)
+		return true;
+	v->recorded = scree_world_record(v->session.player.world, &def) == SCREE_OK ? v->session.player.world : NULL;
+	return v->recorded || failed(sentence);
+}
+
+bool state_end_recording(Viewer* v, char* sentence)
+{
+	bool recorded = v->recorded && v->recorded == v->session.player.world;
+	v->recorded = NULL;
+	return !recorded || scree_world_end_recording(v->session.player.world) == SCREE_OK || failed(sentence);
+}

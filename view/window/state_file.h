@@ -11,4 +11,10 @@ void state_save(Viewer* viewer);
 // file was refused, the world is unchanged.
 bool state_load(Viewer* viewer, const char* path);
 
+// Records the current world into the file of the options, if they name one. On failure writes a sentence and returns false.
+bool state_record(Viewer* viewer, char* sentence);
+
+// Ends the recording of the current world before it is destroyed, if it is recorded. On failure writes a sentence and returns false.
+bool state_end_recording(Viewer* viewer, char* sentence);
+
 #endif

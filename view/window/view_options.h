@@ -19,6 +19,8 @@ typedef struct
 	bool dark;                  // dark theme
 	float scale;                // scale of the panel; 0: the scale of the display
 	const char* load;           // path of a snapshot with which the world begins; null: none
+	const char* record;         // path of a recording of the first scene until the viewer ends; null: none
+	int hash_interval;          // steps from one hash of the recording to the next
 	const char* script;         // path of a script (docs/view.md); null: the user controls the viewer
 } ViewOptions;
 

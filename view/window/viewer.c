@@ -127,6 +127,7 @@ bool viewer_load(Viewer* v, const char* name, bool fresh)
 		viewer_show(v, v->message);
 		return false;
 	}
+	v->recorded = NULL; // its recording has ended with the world
 	v->grab = (Grab){.world = v->session.player.world,
 	                 .hardest = v->grab.hardest,
 	                 .hertz = v->grab.hertz,

@@ -52,11 +52,12 @@ typedef struct
 	Tools tools;
 	Eye eye;
 	Past past;
-	unsigned char* note; // memory for the note of a step (rewind.c)
-	int64_t begun;       // number of steps of the world when the past began
-	int64_t target;      // step to which the world goes back; -1: none
-	bool dragging;       // true while the user drags the time line, when the world stands still
-	char saved[64];      // file of the state that was saved last; empty: none
+	unsigned char* note;   // memory for the note of a step (rewind.c)
+	int64_t begun;         // number of steps of the world when the past began
+	int64_t target;        // step to which the world goes back; -1: none
+	bool dragging;         // true while the user drags the time line, when the world stands still
+	scree_world* recorded; // world that is recorded into a file; null: none
+	char saved[64];        // file of the state that was saved last; empty: none
 	Events events;
 	History history;
 	Inspected hovered, selected;
