@@ -112,8 +112,7 @@ export class Engine {
 			throw error;
 		}
 		if (script === null) return this.beginTime(); // the steps before it cannot be computed
-		this.player.rewind(0);
-		this.player.rewind(this.player.script.length);
+		this.player.rewind(script.length);
 		this.end = this.step;
 		this.keep();
 	}
@@ -129,11 +128,16 @@ export class Engine {
 		return this.core.sourceOf(bytes);
 	}
 
-	// Adds a moment to the past.
+	// Adds a moment to the past. If memory is short, the scene goes on without a past.
 	keep() {
 		const begin = performance.now();
-		const moment = { step: this.step, actions: this.player.done.length, bytes: this.core.moment() };
-		this.past.add(moment, performance.now() - begin);
+		try {
+			const moment = { step: this.step, actions: this.player.done.length, bytes: this.core.moment() };
+			this.past.add(moment, performance.now() - begin);
+		} catch (error) {
+			this.past.clear();
+			this.say({ type: 'error', sentence: `The time line is off: ${error.message}`, of: 'past' });
+		}
 	}
 
 	// Goes to a step of the time line. dragged: true while more such messages follow.
