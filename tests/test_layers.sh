@@ -40,6 +40,8 @@ world/create world/pool_read world/own_queries
 world/snapshot
 world/save
 world/record
+world/recovery
+world/record/recorder
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover
 api/record'

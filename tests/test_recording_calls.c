@@ -111,36 +111,6 @@ static void saves_are_repeated(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// A recording of the library beside that of the user begins again with a snapshot, and repeats on the world itself.
-static void the_library_records_too(void** state)
-{
-	(void)state;
-	scree_world* world = open_pile("cpu", true);
-	Recorder* recorder;
-	OK(recorder_open(world, "test", NULL, 0, &recorder));
-	record_hashes(world);
-	run_steps(world, 10);
-	OK(recorder_restart(world, recorder));
-	run_steps(world, 10);
-	assert_true(recorder->steps == 10);
-	uint64_t hash = hash_of(world);
-	Saved user = recording_of(world);
-	scree_replay* replay;
-	OK(recorder_end(world, recorder, "test", false));
-	OK(scree_replay_open(recorder->written.bytes, recorder->written.used, &replay));
-	OK(scree_world_end_recording(world));
-	run_steps(world, 5);
-	OK(scree_replay_restore(replay, world));
-	OK(repeat_steps(replay, world));
-	assert_true(hash_of(world) == hash);
-	assert_true(repeat_on(user, def_on("cpu", 1, 1)) == hash);
-	scree_replay_close(replay);
-	recorder_free(recorder);
-	scree_world_destroy(world);
-	free(user.bytes);
-	assert_int_equal(scree_memory(), 0);
-}
-
 // After the device has failed, the recording of a world can be ended and read; it contains the step that failed as such.
 static void failed_devices_leave_a_recording(void** state)
 {
@@ -260,13 +230,9 @@ static void other_handles_are_named(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(what_is_recorded),
-	    cmocka_unit_test(failing_steps_are_kept),
-	    cmocka_unit_test(saves_are_repeated),
-	    cmocka_unit_test(the_library_records_too),
-	    cmocka_unit_test(failed_devices_leave_a_recording),
-	    cmocka_unit_test(differences_are_named),
-	    cmocka_unit_test(other_handles_are_named),
+	    cmocka_unit_test(what_is_recorded),      cmocka_unit_test(failing_steps_are_kept),
+	    cmocka_unit_test(saves_are_repeated),    cmocka_unit_test(failed_devices_leave_a_recording),
+	    cmocka_unit_test(differences_are_named), cmocka_unit_test(other_handles_are_named),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_recording_list.c -- checks the list of recorded calls and their types against scree.h: no function that changes a world and
-// no member of a struct is missing.
+// test_recording_list.c -- checks the lists of recorded and of reading calls and their types against scree.h: no function that
+// uses a world and no member of a struct is missing.
 #include "support/checks.h"
 #include "world/record/call_list.h"
 #include <stdio.h>
@@ -13,6 +13,20 @@ static const char* left_out[][2] = {
 #include "world/record/recorded_calls.def"
 };
 #define LEFT_OUT_COUNT (int)(sizeof left_out / sizeof *left_out)
+
+static const char* reading[] = {
+#define READ(name, ...)  #name,
+#define READ_ALONE(name) #name,
+#include "world/record/reading_calls.def"
+};
+#define READING_COUNT (int)(sizeof reading / sizeof *reading)
+
+static const char* not_repeated[] = {
+#define READ(name, ...)
+#define NOT_REPEATED(pattern, reason) pattern,
+#include "world/record/reading_calls.def"
+};
+#define NOT_REPEATED_COUNT (int)(sizeof not_repeated / sizeof *not_repeated)
 
 static char* read_header(void)
 {
@@ -42,6 +56,18 @@ static int recorded(const char* name)
 	return -1;
 }
 
+// Checks that a call that is not recorded is repeated after a failure of the device, or not repeated with a reason, not both.
+static void check_reading(const char* name)
+{
+	int found = 0;
+	for (int k = 0; k < READING_COUNT; ++k)
+		found += strcmp(reading[k], name) == 0;
+	for (int k = 0; k < NOT_REPEATED_COUNT; ++k)
+		found += matches(not_repeated[k], name);
+	if (found != 1)
+		fail_msg("scree_%s is %s in src/world/record/reading_calls.def", name, found ? "twice" : "missing");
+}
+
 // Each function with a world that is not const, or with a replay, is recorded or left out with a reason, not both.
 static void each_function_is_listed(void** state)
 {
@@ -64,6 +90,8 @@ static void each_function_is_listed(void** state)
 		}
 		if (in_list == out)
 			fail_msg("scree_%s is %s in src/world/record/recorded_calls.def", name, out ? "twice" : "missing");
+		if (out)
+			check_reading(name);
 		calls += in_list;
 		++found;
 	}

@@ -85,7 +85,7 @@ typedef enum scree_status
 	SCREE_ERROR_STALE = 2,         // a handle is null, or its object was destroyed; nothing changed
 	SCREE_ERROR_OUT_OF_MEMORY = 3, // host or device memory ran out; nothing changed, except if a step failed late
 	SCREE_ERROR_NO_DEVICE = 4,     // the requested device does not exist or is not bit-identical to the CPU
-	SCREE_ERROR_DEVICE_FAILED = 5, // the driver reported an error; the world can only be destroyed
+	SCREE_ERROR_DEVICE_FAILED = 5, // the driver reported an error; see "Devices that fail"
 	SCREE_ERROR_NOT_SUPPORTED = 6, // the device does not support this operation; nothing changed
 	SCREE_ERROR_CONTACT_LIMIT = 7, // a step found more contacts than scree_world_def.contact_limit; nothing changed
 	SCREE_ERROR_FILE = 8,          // a file cannot be opened, read or written
@@ -272,6 +272,9 @@ typedef struct scree_world_def
 	// SCREE_ERROR_DEVICE_FAILED. 0 (default): 10 s for a GPU; no limit for a CPU, which is never lost and may compile
 	// kernels at their first launch for minutes. INFINITY: no limit. See docs/faults.md.
 	float device_timeout;
+	// Steps from one kept state to the next, at least 0. A world on an OpenCL device that fails goes on on the CPU from the
+	// last kept state (see "Devices that fail"). 0 (default): no state is kept. Has no effect while a world is on the CPU.
+	int recovery_interval;
 } scree_world_def;
 
 // Returns a definition with the default values.
@@ -307,7 +310,8 @@ SCREE_API void scree_world_destroy(scree_world* world);
 // SCREE_ERROR_OUT_OF_MEMORY. In both cases nothing has changed; move bodies apart or destroy some, and step again.
 //
 // A later failure (the device fails, or has no memory left for the solver) cannot be undone. The error is sticky: from
-// then on every call that uses the world returns the same status, and the world can only be destroyed.
+// then on every call that uses the world returns the same status, and the world can only be destroyed, unless
+// scree_world_def.recovery_interval is set (see "Devices that fail").
 SCREE_API scree_status scree_world_step(scree_world* world, float dt, int substeps);
 
 // Sets the gravity, m/s^2; its components must be finite.
@@ -348,6 +352,16 @@ SCREE_API const char* scree_world_get_device(const scree_world* world);
 // device. If the old device fails while the world is copied from it, the error (SCREE_ERROR_DEVICE_FAILED) is sticky,
 // as after scree_world_step.
 SCREE_API scree_status scree_world_move(scree_world* world, const char* device);
+
+// Devices that fail (docs/faults.md). If scree_world_def.recovery_interval is N, above 0, the state of a world on an OpenCL
+// device is kept in host memory every N steps, and so are the arguments of all calls since. A call during which the device
+// fails brings the world to the CPU: into the kept state, then through the calls since. It then does its work there and
+// returns its usual status. It logs one warning, and makes no further call to the device. The world goes on with the same
+// bits. Handles, saves, recordings and lists that calls returned stay as they were; memory is no longer shared, and the device
+// is "cpu", as after scree_world_move, which may move the world to a device again. If there is no memory for this, the call
+// fails with SCREE_ERROR_DEVICE_FAILED, and the next call tries it again. A device with memory too small for a step counts as
+// failed. A state is also kept when the calls since need more memory than the state, and one that cannot be kept for lack of
+// memory is logged; no call fails for that.
 
 // Returns the number of CPU threads in use; 0 on an OpenCL device.
 SCREE_API int scree_world_get_threads(const scree_world* world);

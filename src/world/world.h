@@ -221,11 +221,11 @@ typedef struct // a snapshot that is being written (snapshot/chunks.h)
 	size_t used, capacity;
 } ChunkWriter;
 
-typedef struct // recordings of the calls that change a world (record/recorder.h)
+typedef struct // recording of the calls that change a world (record/recorder.h)
 {
-	struct Recorder* first; // recorders in use, linked; null: calls are not recorded
-	struct Recorder* own;   // recorder of scree_world_record, also after its end; null before
-	int depth;              // number of recorded calls in progress: one may make another, which is not recorded
+	struct Recorder* active; // recorder in use; null: calls are not recorded
+	struct Recorder* own;    // recorder of scree_world_record, also after its end; null before
+	int depth; // number of calls in progress: one may make another, which is neither recorded nor repeated alone
 } Recorders;
 
 typedef struct // a range of items of the pool `saved`
@@ -237,6 +237,7 @@ typedef struct // copies of the data that only calls of the user change; saves b
 {
 	int uses;         // number of saves that share it; 0: unused
 	uint64_t version; // Saves.version at the time of the copy
+	bool copied;      // true: host memory has a copy of the range (recovery/kept_state.h)
 	ChunkWriter host;
 	SavedRange range;
 	int counts[POOL_COUNT]; // number of items of each pool
@@ -245,6 +246,7 @@ typedef struct // copies of the data that only calls of the user change; saves b
 typedef struct // a save of the user
 {
 	bool made;
+	bool copied;      // as in SavedStructure
 	int structure;    // index of its SavedStructure
 	ChunkWriter host; // data on the host that steps change
 	SavedRange range;
@@ -252,10 +254,13 @@ typedef struct // a save of the user
 	int leaves[2]; // number of leaves of each tree
 } Save;
 
+#define KEPT_SAVES 2                          // saves of the library, for recovery: the last one, and the next
+#define SAVE_SLOTS (SCREE_SAVES + KEPT_SAVES) // saves of the user, then those of the library
+
 typedef struct
 {
-	Save saves[SCREE_SAVES];
-	SavedStructure structures[SCREE_SAVES + 1]; // one more, which a save fills before it gives up the one that it had
+	Save saves[SAVE_SLOTS];
+	SavedStructure structures[SAVE_SLOTS + 1]; // one more, which a save fills before it gives up the one that it had
 } SaveList;
 
 typedef struct
@@ -314,8 +319,9 @@ struct scree_world
 	ChunkWriter snapshot; // the last snapshot
 	Recorders recorders;
 	Saves saves;
-	char device[160]; // name of the present device
-	void* scratch;    // temporary memory for one call; see world_scratch
+	struct Recovery* recovery; // null: a failure of the device breaks the world
+	char device[160];          // name of the present device
+	void* scratch;             // temporary memory for one call; see world_scratch
 	size_t scratch_bytes;
 };
 

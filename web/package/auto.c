@@ -11,7 +11,12 @@ void auto_open(scree_world* world, TestWorlds* test)
 
 void auto_close(scree_world* world) { (void)world; }
 
-scree_status auto_choose(scree_world* world)
+bool auto_choose(scree_world* world)
+{
+	(void)world;
+	return false;
+}
+scree_status auto_change(scree_world* world)
 {
 	(void)world;
 	return SCREE_OK;

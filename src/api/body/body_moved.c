@@ -7,6 +7,7 @@
 #include "world/memory.h"
 #include "world/objects/handles.h"
 #include "world/pool_read.h"
+#include "world/record/api_calls.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
 #include <stddef.h>
@@ -23,7 +24,7 @@ static void moved_fill(const scree_world* world, const MovedBody* row, scree_mov
 	moved->velocity = (scree_velocity){{row->vx, row->vy}, row->w};
 }
 
-scree_status scree_world_get_moved_bodies_sized(scree_world* world, scree_moved_bodies* list)
+scree_status api_world_get_moved_bodies_sized(scree_world* world, scree_moved_bodies* list)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_moved_bodies";

@@ -6,6 +6,7 @@
 #include "world/memory.h"
 #include "world/objects/handles.h"
 #include "world/pool_read.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
@@ -95,7 +96,7 @@ static scree_status check_read(const scree_world* world, const char* function, c
 	return check_batch(function, argument, out, count);
 }
 
-scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses, int count)
+scree_status api_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses, int count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_bodies_get_poses";
@@ -103,8 +104,8 @@ scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies
 	return count > 0 ? get_poses(world, function, "bodies", bodies, poses, count, false) : SCREE_OK;
 }
 
-scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities,
-                                         int count)
+scree_status api_bodies_get_velocities(scree_world* world, const scree_body* bodies, scree_velocity* velocities,
+                                       int count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_bodies_get_velocities";
@@ -112,7 +113,7 @@ scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* b
 	return count > 0 ? get_velocities(world, function, "bodies", bodies, velocities, count, false) : SCREE_OK;
 }
 
-scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose)
+scree_status api_body_get_pose(scree_world* world, scree_body body, scree_pose* pose)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_pose";
@@ -120,7 +121,7 @@ scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose
 	return get_poses(world, function, "body", &body, pose, 1, true);
 }
 
-scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity)
+scree_status api_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_velocity";
@@ -128,7 +129,7 @@ scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_
 	return get_velocities(world, function, "body", &body, velocity, 1, true);
 }
 
-scree_status scree_body_get_def_sized(scree_world* world, scree_body body, scree_body_def* def, size_t size)
+scree_status api_body_get_def_sized(scree_world* world, scree_body body, scree_body_def* def, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_def";
@@ -149,8 +150,8 @@ scree_status scree_body_get_def_sized(scree_world* world, scree_body body, scree
 	return SCREE_OK;
 }
 
-scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scree_body_state* states, int capacity,
-                                    int* count)
+scree_status api_world_get_states(scree_world* world, scree_body* bodies, scree_body_state* states, int capacity,
+                                  int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_states";
@@ -199,7 +200,7 @@ static scree_status point_pose(scree_world* world, const char* function, scree_b
 	return get_poses(world, function, "body", &body, pose, 1, true);
 }
 
-scree_status scree_body_get_world_point(scree_world* world, scree_body body, scree_vec local, scree_vec* point)
+scree_status api_body_get_world_point(scree_world* world, scree_body body, scree_vec local, scree_vec* point)
 {
 	FLOAT_MODE_HERE;
 	scree_pose pose;
@@ -208,7 +209,7 @@ scree_status scree_body_get_world_point(scree_world* world, scree_body body, scr
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_local_point(scree_world* world, scree_body body, scree_vec point, scree_vec* local)
+scree_status api_body_get_local_point(scree_world* world, scree_body body, scree_vec point, scree_vec* local)
 {
 	FLOAT_MODE_HERE;
 	scree_pose pose;
@@ -218,7 +219,7 @@ scree_status scree_body_get_local_point(scree_world* world, scree_body body, scr
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point, scree_vec* velocity)
+scree_status api_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point, scree_vec* velocity)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_point_velocity";

@@ -104,13 +104,13 @@ static scree_status get_awake(scree_world* world, const char* function, const ch
 	return SCREE_OK;
 }
 
-scree_status scree_bodies_get_awake(scree_world* world, const scree_body* bodies, bool* awake, int count)
+scree_status api_bodies_get_awake(scree_world* world, const scree_body* bodies, bool* awake, int count)
 {
 	FLOAT_MODE_HERE;
 	return get_awake(world, "scree_bodies_get_awake", "bodies", bodies, awake, count, false);
 }
 
-scree_status scree_body_get_awake(scree_world* world, scree_body body, bool* awake)
+scree_status api_body_get_awake(scree_world* world, scree_body body, bool* awake)
 {
 	FLOAT_MODE_HERE;
 	return get_awake(world, "scree_body_get_awake", "body", &body, awake, 1, true);

@@ -11,6 +11,7 @@
 #include "world/objects/attributes.h"
 #include "world/objects/handles.h"
 #include "world/pool_read.h"
+#include "world/record/api_calls.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
 
@@ -175,15 +176,15 @@ static scree_status get(scree_world* world, const char* function, const char* ar
 	return status;
 }
 
-scree_status scree_world_get_contacts_sized(scree_world* world, scree_contact* contacts, size_t size, int capacity,
-                                            int* count)
+scree_status api_world_get_contacts_sized(scree_world* world, scree_contact* contacts, size_t size, int capacity,
+                                          int* count)
 {
 	FLOAT_MODE_HERE;
 	return get(world, "scree_world_get_contacts", "contacts", 0, contacts, size, capacity, count);
 }
 
-scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* overlaps, size_t size, int capacity,
-                                            int* count)
+scree_status api_world_get_overlaps_sized(scree_world* world, scree_contact* overlaps, size_t size, int capacity,
+                                          int* count)
 {
 	FLOAT_MODE_HERE;
 	return get(world, "scree_world_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, size, capacity, count);
@@ -214,8 +215,8 @@ static scree_status list_rows(scree_world* world, const char* function, int foun
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_contacts_sized(scree_world* world, scree_body body, scree_contact* contacts, size_t size,
-                                           int capacity, int* count)
+scree_status api_body_get_contacts_sized(scree_world* world, scree_body body, scree_contact* contacts, size_t size,
+                                         int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_contacts";

@@ -119,7 +119,7 @@ static void write_rows(const scree_world* world, const JointEvent* joints, char*
 	contacts_at(world, r->asked, result->approval_count, to, result->contact_size);
 }
 
-scree_status scree_world_get_events_sized(scree_world* world, scree_events* events)
+scree_status api_world_get_events_sized(scree_world* world, scree_events* events)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_events";

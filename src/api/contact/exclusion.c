@@ -74,7 +74,7 @@ static int compare_bodies(const void* a, const void* b)
 	return first < second ? -1 : first > second;
 }
 
-scree_status scree_body_get_excluded(scree_world* world, scree_body body, scree_body* others, int capacity, int* count)
+scree_status api_body_get_excluded(scree_world* world, scree_body body, scree_body* others, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_excluded";

@@ -7,6 +7,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/reports.h"
 #include "world/objects/sensors.h"
+#include "world/record/api_calls.h"
 
 scree_visit visit_result(const scree_world* world, const Visit* visit)
 {
@@ -22,8 +23,8 @@ scree_visit visit_result(const scree_world* world, const Visit* visit)
 	return result;
 }
 
-scree_status scree_collidable_get_visits_sized(scree_world* world, scree_collidable sensor, scree_visit* visits,
-                                               size_t size, int capacity, int* count)
+scree_status api_collidable_get_visits_sized(scree_world* world, scree_collidable sensor, scree_visit* visits,
+                                             size_t size, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_collidable_get_visits";

@@ -7,6 +7,7 @@
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
 #include "world/objects/paths.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include <math.h>
 #include <stddef.h>
@@ -86,7 +87,7 @@ static scree_status place(scree_world* world, ArgumentPlace at, const char* memb
 	return SCREE_OK;
 }
 
-scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose)
+scree_status api_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose)
 {
 	FLOAT_MODE_HERE;
 	ArgumentPlace at = {"scree_joint_def_place", "def", ALONE};
@@ -103,7 +104,7 @@ scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scr
 	return SCREE_OK;
 }
 
-scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, float along)
+scree_status api_joint_def_mount(scree_world* world, scree_joint_def* def, float along)
 {
 	FLOAT_MODE_HERE;
 	ArgumentPlace at = {"scree_joint_def_mount", "def", ALONE};
@@ -158,7 +159,7 @@ static scree_status measure(scree_world* world, ArgumentPlace at, const scree_jo
 	return SCREE_OK;
 }
 
-scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def)
+scree_status api_joint_def_couple(scree_world* world, scree_joint_def* def)
 {
 	FLOAT_MODE_HERE;
 	ArgumentPlace at = {"scree_joint_def_couple", "def", ALONE};

@@ -8,6 +8,7 @@
 #include "world/memory.h"
 #include "world/objects/handles.h"
 #include "world/pool_read.h"
+#include "world/record/api_calls.h"
 #include "world/upload/upload.h"
 #include <stdlib.h>
 
@@ -23,8 +24,8 @@ static scree_joint_state state_of(const JointState* row)
 }
 
 // Computes and reads the states of all joints between the lowest and the highest index of the batch, in one read.
-scree_status scree_joints_get_states_sized(scree_world* world, const scree_joint* joints, scree_joint_state* states,
-                                           size_t size, int count)
+scree_status api_joints_get_states_sized(scree_world* world, const scree_joint* joints, scree_joint_state* states,
+                                         size_t size, int count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_joints_get_states";
@@ -91,8 +92,8 @@ scree_joint_event joint_event_result(const scree_world* world, const JointEvent*
 	                           .user = world->host_joints[row->slot].def.user};
 }
 
-scree_status scree_world_get_joint_events_sized(scree_world* world, scree_joint_event* events, size_t size,
-                                                int capacity, int* count)
+scree_status api_world_get_joint_events_sized(scree_world* world, scree_joint_event* events, size_t size, int capacity,
+                                              int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_joint_events";

@@ -7,6 +7,7 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 
@@ -170,7 +171,7 @@ static scree_status move(MoverCall* call, scree_mover* movers, scree_pose* poses
 	return SCREE_OK;
 }
 
-scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count, float dt)
+scree_status api_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count, float dt)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_movers_move";

@@ -6,6 +6,7 @@
 #include "world/device/auto.h"
 #include "world/failure.h"
 #include "world/memory.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/upload/upload.h"
 
@@ -82,8 +83,8 @@ static scree_status list(scree_world* world, const char* function, const QueryRe
 	return SCREE_OK;
 }
 
-scree_status scree_world_list_rays_sized(scree_world* world, const scree_query_def* def, const scree_ray* rays,
-                                         int count, scree_query_results* to, size_t size)
+scree_status api_world_list_rays_sized(scree_world* world, const scree_query_def* def, const scree_ray* rays, int count,
+                                       scree_query_results* to, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_list_rays";
@@ -94,8 +95,8 @@ scree_status scree_world_list_rays_sized(scree_world* world, const scree_query_d
 	return list(world, function, &questions, to, size);
 }
 
-scree_status scree_world_list_shapes_sized(scree_world* world, const scree_query_def* def, const scree_shape* shape,
-                                           const scree_probe* probes, int count, scree_query_results* to, size_t size)
+scree_status api_world_list_shapes_sized(scree_world* world, const scree_query_def* def, const scree_shape* shape,
+                                         const scree_probe* probes, int count, scree_query_results* to, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_list_shapes";
@@ -106,7 +107,7 @@ scree_status scree_world_list_shapes_sized(scree_world* world, const scree_query
 	return list(world, function, &questions, to, size);
 }
 
-scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, scree_query_results* to, size_t size)
+scree_status api_world_overlap_box_sized(scree_world* world, scree_box box, scree_query_results* to, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_overlap_box";

@@ -4,9 +4,10 @@
 #include "platform/processor.h"
 #include "world/device/shared_buffers.h"
 #include "world/failure.h"
+#include "world/record/api_calls.h"
 #include "world/upload/upload.h"
 
-scree_status scree_world_share_queries(scree_world* world, int file_descriptor, size_t bytes)
+scree_status api_world_share_queries(scree_world* world, int file_descriptor, size_t bytes)
 {
 	FLOAT_MODE_HERE;
 	return world_share(world, "scree_world_share_queries", "queries", SHARED_QUERIES,
@@ -49,8 +50,8 @@ static scree_status answer(scree_world* world, QueryRequest* questions, size_t i
 	return world_note(world, queries_answer(&world->pipeline, questions, NULL));
 }
 
-scree_status scree_world_cast_shared_rays(scree_world* world, const scree_query_def* def, size_t rays_offset, int count,
-                                          size_t found_offset)
+scree_status api_world_cast_shared_rays(scree_world* world, const scree_query_def* def, size_t rays_offset, int count,
+                                        size_t found_offset)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_cast_shared_rays";
@@ -62,8 +63,8 @@ scree_status scree_world_cast_shared_rays(scree_world* world, const scree_query_
 	return answer(world, &questions, rays_offset, count, found_offset);
 }
 
-scree_status scree_world_cast_shared_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
-                                            size_t probes_offset, int count, size_t found_offset)
+scree_status api_world_cast_shared_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
+                                          size_t probes_offset, int count, size_t found_offset)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_cast_shared_shapes";

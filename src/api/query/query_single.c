@@ -5,6 +5,7 @@
 #include "world/check.h"
 #include "world/device/auto.h"
 #include "world/failure.h"
+#include "world/record/api_calls.h"
 #include "world/upload/upload.h"
 #include <stddef.h>
 
@@ -43,15 +44,14 @@ static scree_status cast_rays(scree_world* world, const char* function, const ch
 	return answer(world, function, &questions, found);
 }
 
-scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays, int count,
-                                   scree_query_result* found)
+scree_status api_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays, int count,
+                                 scree_query_result* found)
 {
 	FLOAT_MODE_HERE;
 	return cast_rays(world, "scree_world_cast_rays", "rays", def, rays, count, found);
 }
 
-scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation,
-                                  scree_query_result* found)
+scree_status api_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation, scree_query_result* found)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_cast_ray";
@@ -72,15 +72,15 @@ static scree_status cast_shapes(scree_world* world, const char* function, const 
 	return answer(world, function, &questions, found);
 }
 
-scree_status scree_world_cast_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
-                                     const scree_probe* probes, int count, scree_query_result* found)
+scree_status api_world_cast_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
+                                   const scree_probe* probes, int count, scree_query_result* found)
 {
 	FLOAT_MODE_HERE;
 	return cast_shapes(world, "scree_world_cast_shapes", "probes", def, shape, probes, count, found);
 }
 
-scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
-                                    scree_vec translation, scree_query_result* found)
+scree_status api_world_cast_shape(scree_world* world, const scree_shape* shape, scree_pose pose, scree_vec translation,
+                                  scree_query_result* found)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_cast_shape";
@@ -90,8 +90,8 @@ scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape
 	return cast_shapes(world, function, "probe", NULL, shape, &probe, 1, found);
 }
 
-scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def, const scree_shape* shape,
-                                      const scree_probe* probes, int count, float distance, scree_query_result* found)
+scree_status api_world_find_nearest(scree_world* world, const scree_query_def* def, const scree_shape* shape,
+                                    const scree_probe* probes, int count, float distance, scree_query_result* found)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_find_nearest";

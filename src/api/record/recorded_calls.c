@@ -1,37 +1,29 @@
 // SPDX-License-Identifier: MIT
-// recorded_calls.c -- the public functions that change a world: each calls its api_ function, and records the call if the world is
-// recorded.
+// recorded_calls.c -- the public functions that change a world: each calls its api_ function, calls it again if the device failed
+// and the world goes on without it, and records the call if the world is recorded.
 #include "world/record/recorder.h"
+#include "world/recovery/recovery.h"
 #include "world/world.h"
 
 #ifndef SCREE_SMALL // api_calls.h
 
-#define IS_RECORDED(world) (world && world->recorders.first)
+#define IS_WATCHED(world) (world && (world->recorders.active || world->recovery))
 
-// name and address of an argument
-#define NAME_OF(kind, type, name)    name
-#define ADDRESS_OF(kind, type, name) &name
-#define AS_NAME(k, argument)         NAME_OF argument
-#define AS_ADDRESS(k, argument)      ADDRESS_OF argument
-
-#define CALL(name, ...)                                                            \
+#define WATCHED_CALL(name, enter, leave, ...)                                      \
 	scree_status scree_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__)) \
 	{                                                                              \
-		if (!IS_RECORDED(world))                                                   \
+		if (!IS_WATCHED(world))                                                    \
 			return api_##name(world, EACH(AS_NAME, __VA_ARGS__));                  \
 		const void* const addresses[] = {EACH(AS_ADDRESS, __VA_ARGS__)};           \
-		recorders_enter(world);                                                    \
-		scree_status status = api_##name(world, EACH(AS_NAME, __VA_ARGS__));       \
-		return recorders_leave(world, RECORDED_##name, addresses, status);         \
+		scree_status status;                                                       \
+		enter;                                                                     \
+		do                                                                         \
+			status = api_##name(world, EACH(AS_NAME, __VA_ARGS__));                \
+		while (world_recovers(world, "scree_" #name, status));                     \
+		return leave(world, RECORDED_##name, addresses, status);                   \
 	}
-#define STEP_CALL(name, ...)                                                               \
-	scree_status scree_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__))         \
-	{                                                                                      \
-		if (!IS_RECORDED(world))                                                           \
-			return api_##name(world, EACH(AS_NAME, __VA_ARGS__));                          \
-		const void* const addresses[] = {EACH(AS_ADDRESS, __VA_ARGS__)};                   \
-		recorders_enter_step(world, RECORDED_##name, addresses);                           \
-		return recorders_leave_step(world, api_##name(world, EACH(AS_NAME, __VA_ARGS__))); \
-	}
+#define CALL(name, ...) WATCHED_CALL(name, recorders_enter(world), recorders_leave, __VA_ARGS__)
+#define STEP_CALL(name, ...) \
+	WATCHED_CALL(name, recorders_enter_step(world, RECORDED_##name, addresses), recorders_leave_step, __VA_ARGS__)
 #include "world/record/recorded_calls.def"
 #endif

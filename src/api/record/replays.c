@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // replays.c -- repeats the calls of a recording, and compares their results and the hashes of the world.
-#include "api/record/repeat.h"
 #include "platform/error.h"
 #include "platform/processor.h"
 #include "world/failure.h"
+#include "world/record/repeat.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
+#include "world/record/api_calls.h"
 #include "world/world.h"
 
 #define MOST_BYTES  ((size_t)256 << 20) // bytes of a block; halved, down to LEAST_BYTES, until memory has space for two
@@ -11,7 +12,7 @@
 #define COPIES      8     // copies per try; many, so that the time to start and end a try has little effect
 #define ENOUGH      500.0 // ms: total time of the tries after which no further try begins
 
-scree_status scree_world_get_traffic_sized(scree_world* world, scree_traffic* traffic, size_t size)
+scree_status api_world_get_traffic_sized(scree_world* world, scree_traffic* traffic, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_traffic";
@@ -37,7 +38,7 @@ static scree_status time_copies(Backend* b, size_t bytes, double* bandwidth)
 	return SCREE_OK;
 }
 
-scree_status scree_world_measure_bandwidth(scree_world* world, double* bandwidth)
+scree_status api_world_measure_bandwidth(scree_world* world, double* bandwidth)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_measure_bandwidth";

@@ -5,10 +5,11 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/pool_read.h"
+#include "world/record/api_calls.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
 
-scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* counters, size_t size)
+scree_status api_world_get_counters_sized(scree_world* world, scree_counters* counters, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_counters";
@@ -52,7 +53,7 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	return SCREE_OK;
 }
 
-scree_status scree_world_get_timings_sized(scree_world* world, scree_timings* timings, size_t size)
+scree_status api_world_get_timings_sized(scree_world* world, scree_timings* timings, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_timings";

@@ -8,6 +8,8 @@
 #include "world/device/migrate.h"
 #include "world/failure.h"
 #include "world/objects/reports.h"
+#include "world/record/api_calls.h"
+#include "world/recovery/recovery.h"
 #include "world/world.h"
 #include <string.h>
 
@@ -52,7 +54,7 @@ scree_status scree_device_test(const char* device)
 	return strcmp(device, "cpu") == 0 ? SCREE_OK : device_test(device, TEST_WORLDS);
 }
 
-scree_status scree_world_move(scree_world* world, const char* device)
+scree_status api_world_move(scree_world* world, const char* device)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_move";
@@ -66,6 +68,7 @@ scree_status scree_world_move(scree_world* world, const char* device)
 	if (strcmp(device, world->device) != 0)
 	{
 		TRY(reports_fetch(world)); // a move does not copy the events, so they are read before it
+		TRY(recovery_prepare(world, function));
 		scree_world_def def = world->def;
 		def.device = device;
 		Backend *from = world->backend, *to;

@@ -14,6 +14,7 @@
 #include "world/objects/targets.h"
 #include "world/record/api_calls.h"
 #include "world/record/recorder.h"
+#include "world/recovery/recovery.h"
 #include "world/save/saves.h"
 #include "world/tuning_members.h"
 #include "world/upload/upload.h"
@@ -60,6 +61,9 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 	if (!(def->device_timeout >= 0.0f))
 		return refuse(SCREE_ERROR_INVALID, at, ".device_timeout", "is %s, must be from 0 to INFINITY",
 		              decimal(def->device_timeout).text);
+	if (def->recovery_interval < 0)
+		return refuse(SCREE_ERROR_INVALID, at, ".recovery_interval", "is %d, must be at least 0",
+		              def->recovery_interval);
 	if (def->body_capacity < 0 || def->body_capacity > MAX_ITEMS)
 		return refuse(SCREE_ERROR_INVALID, at, ".body_capacity", "is %d, must be from 0 to %d", def->body_capacity,
 		              MAX_ITEMS);
@@ -90,9 +94,18 @@ scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 	TRY(device_open(def, TEST_WORLDS, &backend));
 	scree_status status = world_create(def, backend, world);
 	if (status != SCREE_OK)
+	{
 		backend->f->close(backend);
-	else if (strcmp(def->device, "auto") == 0)
+		return status;
+	}
+	if (strcmp(def->device, "auto") == 0)
 		auto_open(*world, TEST_WORLDS);
+	status = recovery_begin(*world, function);
+	if (status != SCREE_OK)
+	{
+		scree_world_destroy(*world);
+		*world = NULL;
+	}
 	return status;
 }
 
@@ -106,8 +119,12 @@ scree_status api_world_step(scree_world* world, float dt, int substeps)
 		            decimal(SHORTEST_STEP).text);
 	if (substeps < 1 || substeps > 64)
 		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
-	if (dt > 0.0f) // with dt 0 a step only detects contacts, so its duration is no measure of a device
-		TRY(auto_choose(world));
+	if (dt > 0.0f &&
+	    auto_choose(world)) // with dt 0 a step only detects contacts, so its duration is no measure of a device
+	{
+		TRY(recovery_prepare(world, function));
+		TRY(auto_change(world));
+	}
 	double start = processor_milliseconds();
 	TRY(reports_reserve(world, function));
 	bool request_again = !world->reports.answered && (dt == 0.0f || world->reports.lost);
@@ -175,8 +192,9 @@ void scree_world_destroy(scree_world* world)
 	FLOAT_MODE_HERE;
 	if (!world)
 		return;
-#ifndef SCREE_SMALL // a build for WebAssembly makes no recordings
+#ifndef SCREE_SMALL // a build for WebAssembly makes no recordings, and its device does not fail
 	recorders_close(world);
+	recovery_close(world);
 #endif
 	saves_close(world);
 	world_destroy(world);
@@ -207,7 +225,7 @@ const char* scree_world_get_device(const scree_world* world) { return world ? wo
 int scree_world_get_threads(const scree_world* world) { return world ? world->backend->threads : 0; }
 int scree_world_get_lanes(const scree_world* world) { return world ? world->backend->lanes : 0; }
 
-scree_status scree_world_wait(scree_world* world)
+scree_status api_world_wait(scree_world* world)
 {
 	FLOAT_MODE_HERE;
 	TRY(world_check(world, "scree_world_wait"));

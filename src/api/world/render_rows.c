@@ -5,6 +5,8 @@
 #include "world/check.h"
 #include "world/device/shared_buffers.h"
 #include "world/failure.h"
+#include "world/record/api_calls.h"
+#include "world/recovery/recovery.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
 
@@ -33,7 +35,7 @@ scree_sharing scree_world_get_sharing(const scree_world* world)
 	return world ? world->backend->sharing : SCREE_SHARING_COPIED;
 }
 
-scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity, int* count)
+scree_status api_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_render_rows";
@@ -50,14 +52,14 @@ scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* r
 	return SCREE_OK;
 }
 
-scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes)
+scree_status api_world_share_memory(scree_world* world, int file_descriptor, size_t bytes)
 {
 	FLOAT_MODE_HERE;
 	return world_share(world, "scree_world_share_memory", "rows", SHARED_ROWS,
 	                   &(SharedMemory){.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes});
 }
 
-scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes)
+scree_status api_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_share_opengl";
@@ -70,11 +72,13 @@ scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_
 void scree_world_unshare(scree_world* world)
 {
 	FLOAT_MODE_HERE;
-	if (world)
-		world_unshare(world);
+	if (!world)
+		return;
+	world_unshare(world);
+	world_recovers(world, "scree_world_unshare", world->broken);
 }
 
-scree_status scree_world_write_render_rows(scree_world* world, int* count)
+scree_status api_world_write_render_rows(scree_world* world, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_write_render_rows";

@@ -11,6 +11,7 @@
 #include "world/objects/materials.h"
 #include "world/objects/reports.h"
 #include "world/pool_values.h"
+#include "world/record/api_calls.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
 
@@ -58,7 +59,7 @@ static uint64_t hidden_hash(const scree_world* world)
 	return sum + materials_hash(world) + exclusions_hash(world) + allowed_hash(world) + fields_hash(world);
 }
 
-scree_status scree_world_get_hash(scree_world* world, uint64_t* hash)
+scree_status api_world_get_hash(scree_world* world, uint64_t* hash)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_hash";

@@ -4,11 +4,12 @@
 #include "world/check.h"
 #include "world/failure.h"
 #include "world/record/api_calls.h"
+#include "world/recovery/recovery.h"
 #include "world/snapshot/compare.h"
 #include "world/snapshot/restore.h"
 #include "world/snapshot/snapshot.h"
 
-scree_status scree_world_snapshot(scree_world* world, const void** bytes, size_t* size)
+scree_status api_world_snapshot(scree_world* world, const void** bytes, size_t* size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_snapshot";
@@ -41,13 +42,15 @@ scree_status scree_world_create_from(const scree_world_def* def, const void* byt
 	TRY(scree_world_create(def, &made));
 	scree_status status = snapshot_restore(made, function, bytes, size);
 	if (status == SCREE_OK)
+		status = recovery_begin(made, function);
+	if (status == SCREE_OK)
 		*world = made;
 	else
 		scree_world_destroy(made);
 	return status;
 }
 
-scree_status scree_world_clone(scree_world* world, const scree_world_def* def, scree_world** clone)
+scree_status api_world_clone(scree_world* world, const scree_world_def* def, scree_world** clone)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_clone";

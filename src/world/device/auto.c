@@ -171,7 +171,8 @@ static bool change_over(scree_world* world)
 		meter_of(world, world->backend)->count = 0;
 		return true;
 	}
-	log_sentence(SCREE_LOG_WARNING, "scree_world_step: the world stays on %s: %s", world->device, scree_error());
+	if (!world->broken)
+		log_sentence(SCREE_LOG_WARNING, "scree_world_step: the world stays on %s: %s", world->device, scree_error());
 	a->other->f->close(a->other);
 	a->other = NULL;
 	a->alone = true;
@@ -245,15 +246,15 @@ void auto_close(scree_world* world)
 	*a = (AutoDevice){0};
 }
 
-scree_status auto_choose(scree_world* world)
+bool auto_choose(scree_world* world)
 {
 	AutoDevice* a = &world->auto_device;
 	if (!a->on || a->alone)
-		return SCREE_OK;
+		return false;
 	if (world->pipeline.rested) // the last step was skipped, so its time is no measure of a device
 	{
 		a->current = 0.0;
-		return SCREE_OK;
+		return false;
 	}
 	if (world->pipeline.steps > 0)
 		meter_note(meter_of(world, world->backend), a->current);
@@ -268,9 +269,14 @@ scree_status auto_choose(scree_world* world)
 	}
 	if (a->opening && (a->named[0] || async_open_done(a->opening)))
 		take_opened(world);
-	if (a->trial && trial_is_over(world))
+	return a->trial ? trial_is_over(world) : a->other && trial_pays(world);
+}
+
+scree_status auto_change(scree_world* world)
+{
+	if (world->auto_device.trial)
 		end_trial(world);
-	else if (!a->trial && a->other && trial_pays(world))
+	else
 		begin_trial(world);
-	return world->broken ? world_check(world, "scree_world_step") : SCREE_OK;
+	return world->broken; // with the message of the failed move
 }

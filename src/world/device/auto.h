@@ -8,9 +8,11 @@
 void auto_open(scree_world* world, TestWorlds* test);
 void auto_close(scree_world* world);
 
-// Records the time of the last step; begins or ends a trial. Called before steps with dt above 0. Fails if the world
-// breaks.
-scree_status auto_choose(scree_world* world);
+// Records the time of the last step. Returns whether a trial begins or ends: then auto_change must follow. Called before
+// steps with dt above 0.
+bool auto_choose(scree_world* world);
+// Begins or ends a trial, and moves the world. Fails if the world breaks.
+scree_status auto_change(scree_world* world);
 
 // auto_clock returns the current time, ms. auto_count adds the time since `since` to the time of the current step.
 double auto_clock(void);

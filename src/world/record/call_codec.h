@@ -10,9 +10,10 @@ void call_write(ChunkWriter* writer, RecordedCallId call, const void* const* val
 typedef struct // arguments of a call that is read
 {
 	RecordedCallId call;
-	void* values[MOST_ARGUMENTS];         // address of each argument, as its kind has it in C
-	void* pointers[MOST_ARGUMENTS];       // arguments that are pointers
-	const void* expected[MOST_ARGUMENTS]; // results of the recorded call; null: the caller did not request them
+	void* values[MOST_RECORDED_ARGUMENTS];   // address of each argument, as its kind has it in C
+	void* pointers[MOST_RECORDED_ARGUMENTS]; // arguments that are pointers
+	const void*
+	    expected[MOST_RECORDED_ARGUMENTS]; // results of the recorded call; null: the caller did not request them
 	int count;
 	size_t size;
 	uint8_t* memory; // items of the arrays, and results

@@ -47,7 +47,7 @@ typedef struct
 {
 	const char* name; // without "scree_"
 	int count;        // number of arguments
-	RecordedArgument arguments[MOST_ARGUMENTS];
+	RecordedArgument arguments[MOST_RECORDED_ARGUMENTS];
 } RecordedCall;
 
 typedef enum

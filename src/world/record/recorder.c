@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "platform/processor.h"
 #include "world/record/call_codec.h"
+#include "world/recovery/recovery.h"
 #include "world/snapshot/snapshot.h"
 #include <errno.h>
 #include <stdarg.h>
@@ -85,7 +86,10 @@ static scree_status add_hash(scree_world* world, Recorder* r)
 // Adds a snapshot. Without memory the recorder fails; another failure is that of the device.
 static scree_status add_snapshot(scree_world* world, Recorder* r)
 {
-	scree_status status = snapshot_write(world, "scree_world_record", &r->payload);
+	scree_status status;
+	do
+		status = snapshot_write(world, "scree_world_record", &r->payload);
+	while (world_recovers(world, "scree_world_record", status));
 	if (status == SCREE_ERROR_OUT_OF_MEMORY)
 		return no_memory(r);
 	return status == SCREE_OK ? add(r, RECORD_SNAPSHOT) : recorder_fail(r, status, "%s", scree_error());
@@ -138,24 +142,14 @@ scree_status recorder_open(scree_world* world, const char* function, const char*
 		return status;
 	}
 	r->begun = true;
-	r->next = world->recorders.first;
-	world->recorders.first = r;
+	world->recorders.active = r;
 	*made = r;
 	return SCREE_OK;
 }
 
-scree_status recorder_restart(scree_world* world, Recorder* recorder)
-{
-	recorder->status = SCREE_OK;
-	return begin(world, recorder);
-}
-
 scree_status recorder_end(scree_world* world, Recorder* recorder, const char* function, bool hash)
 {
-	Recorder** place = &world->recorders.first;
-	while (*place != recorder)
-		place = &(*place)->next;
-	*place = recorder->next;
+	world->recorders.active = NULL;
 	if (recorder->status == SCREE_OK && hash && !world->broken)
 		add_hash(world, recorder);
 	if (recorder->status == SCREE_OK && add_empty(recorder, RECORD_END) == SCREE_OK)
@@ -182,16 +176,10 @@ void recorder_free(Recorder* recorder)
 
 void recorders_close(scree_world* world)
 {
-	Recorder* own = world->recorders.own;
+	if (world->recorders.active)
+		recorder_end(world, world->recorders.active, "scree_world_destroy", false);
+	recorder_free(world->recorders.own);
 	world->recorders.own = NULL;
-	while (world->recorders.first)
-	{
-		Recorder* recorder = world->recorders.first;
-		recorder_end(world, recorder, "scree_world_destroy", false);
-		if (recorder != own)
-			recorder_free(recorder);
-	}
-	recorder_free(own);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -213,35 +201,38 @@ static bool note_save(Recorder* r, RecordedCallId call, const void* const* value
 	return call != RECORDED_world_load || (r->saves & bit);
 }
 
+// Returns the recorder of a world, or null if there is none or it has failed.
+static Recorder* working(const scree_world* world)
+{
+	Recorder* r = world->recorders.active;
+	return r && r->status == SCREE_OK ? r : NULL;
+}
+
 static void add_call(scree_world* world, RecordedCallId call, const void* const* values)
 {
-	for (Recorder* r = world->recorders.first; r; r = r->next)
+	Recorder* r = working(world);
+	if (!r)
+		return;
+	if (!note_save(r, call, values))
 	{
-		if (r->status != SCREE_OK)
-			continue;
-		if (!note_save(r, call, values))
-		{
-			add_snapshot(world, r);
-			continue;
-		}
-		r->payload.used = 0;
-		call_write(&r->payload, call, values);
-		add(r, RECORD_CALLS + (uint64_t)call);
+		add_snapshot(world, r);
+		return;
 	}
+	r->payload.used = 0;
+	call_write(&r->payload, call, values);
+	add(r, RECORD_CALLS + (uint64_t)call);
 }
 
 // A call that is refused for its arguments has changed nothing. After another failure, for instance of a step beyond the contact
 // limit, a recording goes on with a snapshot: less depends on memory that ran out.
 static void add_failure(scree_world* world, scree_status status)
 {
-	if (status == SCREE_ERROR_INVALID || status == SCREE_ERROR_STALE || world->broken)
+	Recorder* r = working(world);
+	if (!r || status == SCREE_ERROR_INVALID || status == SCREE_ERROR_STALE || world->broken)
 		return;
-	char sentence[1024];
-	snprintf(sentence, sizeof sentence, "%s", scree_error());
-	for (Recorder* r = world->recorders.first; r; r = r->next)
-		if (r->status == SCREE_OK)
-			add_snapshot(world, r);
-	fail(status, "%s", sentence);
+	Sentence sentence = sentence_keep();
+	add_snapshot(world, r);
+	sentence_restore(&sentence);
 }
 
 scree_status recorders_leave(scree_world* world, RecordedCallId call, const void* const* values, scree_status status)
@@ -249,6 +240,7 @@ scree_status recorders_leave(scree_world* world, RecordedCallId call, const void
 	FLOAT_MODE_HERE;
 	if (--world->recorders.depth > 0)
 		return status;
+	recovery_note(world, call, values, status); // first, because the recorders may read from the device
 	if (status == SCREE_OK)
 		add_call(world, call, values);
 	else
@@ -260,23 +252,21 @@ void recorders_enter_step(scree_world* world, RecordedCallId call, const void* c
 {
 	recorders_enter(world);
 	add_call(world, call, values);
-	for (Recorder* r = world->recorders.first; r; r = r->next)
-		flush(r);
+	if (world->recorders.active)
+		flush(world->recorders.active);
 }
 
-scree_status recorders_leave_step(scree_world* world, scree_status status)
+scree_status recorders_leave_step(scree_world* world, RecordedCallId call, const void* const* values,
+                                  scree_status status)
 {
 	FLOAT_MODE_HERE;
 	--world->recorders.depth;
-	for (Recorder* r = world->recorders.first; r; r = r->next)
-	{
-		if (r->status != SCREE_OK)
-			continue;
-		if (status != SCREE_OK)
-			add_empty(r, RECORD_FAILED);
-		else if (++r->steps, r->hash_interval > 0 && r->steps % r->hash_interval == 0)
-			add_hash(world, r);
-	}
+	recovery_note(world, call, values, status);
+	Recorder* r = working(world);
+	if (r && status != SCREE_OK)
+		add_empty(r, RECORD_FAILED);
+	else if (r && (++r->steps, r->hash_interval > 0 && r->steps % r->hash_interval == 0))
+		add_hash(world, r);
 	if (status != SCREE_OK)
 		add_failure(world, status);
 	return status;

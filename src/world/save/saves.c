@@ -14,15 +14,15 @@
 
 #define STRUCTURES ((int)(sizeof((SaveList*)0)->structures / sizeof *((SaveList*)0)->structures))
 
-// Returns the range of a save (below SCREE_SAVES) or of a structure.
+// Returns the range of a save (below SAVE_SLOTS) or of a structure.
 static SavedRange range_at(const SaveList* list, int k)
 {
-	return k < SCREE_SAVES ? list->saves[k].range : list->structures[k - SCREE_SAVES].range;
+	return k < SAVE_SLOTS ? list->saves[k].range : list->structures[k - SAVE_SLOTS].range;
 }
 
 static bool is_free(const SaveList* list, SavedRange range)
 {
-	for (int k = 0; k < SCREE_SAVES + STRUCTURES; ++k)
+	for (int k = 0; k < SAVE_SLOTS + STRUCTURES; ++k)
 	{
 		SavedRange other = range_at(list, k);
 		if (other.count > 0 && range.first < other.first + other.count && other.first < range.first + range.count)
@@ -34,7 +34,7 @@ static bool is_free(const SaveList* list, SavedRange range)
 static void measure(Saves* saves)
 {
 	saves->end = 0;
-	for (int k = 0; k < SCREE_SAVES + STRUCTURES; ++k)
+	for (int k = 0; k < SAVE_SLOTS + STRUCTURES; ++k)
 	{
 		SavedRange range = range_at(saves->list, k);
 		saves->end = range.first + range.count > saves->end ? range.first + range.count : saves->end;
@@ -49,7 +49,7 @@ static scree_status find_range(scree_world* world, const char* function, int64_t
 		return SCREE_OK;
 	count += count / 8;
 	int64_t lowest = INT32_MAX;
-	for (int k = -1; k < SCREE_SAVES + STRUCTURES; ++k)
+	for (int k = -1; k < SAVE_SLOTS + STRUCTURES; ++k)
 	{
 		SavedRange after = k < 0 ? (SavedRange){0, 0} : range_at(list, k);
 		int64_t first = after.first + after.count;
@@ -86,6 +86,7 @@ static scree_status find_structure(scree_world* world, const char* function, int
 	}
 	*index = unused;
 	TRY(fill_structure(world, function, list->structures + unused));
+	list->structures[unused].copied = false;
 	list->structures[unused].version = world->saves.version;
 	return SCREE_OK;
 }
@@ -190,7 +191,7 @@ void world_discard(scree_world* world, int number)
 
 void saves_close(scree_world* world)
 {
-	for (int k = 0; k < SCREE_SAVES; ++k)
+	for (int k = 0; k < SAVE_SLOTS; ++k)
 		world_discard(world, k);
 	scree_release(world->saves.list);
 }

@@ -188,6 +188,7 @@ static void adopt(scree_world* world, scree_world* made)
 	made->snapshot = world->snapshot;
 	made->recorders = world->recorders;
 	made->saves = world->saves;
+	made->recovery = world->recovery;
 	structure_changed(made);
 	made->pipeline.first_contacts = world->pipeline.first_contacts;
 	made->chains_stale = true;
@@ -202,6 +203,7 @@ static void adopt(scree_world* world, scree_world* made)
 	made->snapshot = (ChunkWriter){0};
 	made->recorders = (Recorders){0};
 	made->saves = (Saves){0};
+	made->recovery = NULL;
 }
 
 static scree_status restore(Restore* r, scree_world* world, const void* bytes, size_t size)

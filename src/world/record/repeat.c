@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // repeat.c -- makes a call of a recording again: a function for each recorded call, which follows from the list.
-#include "api/record/repeat.h"
+#include "world/record/repeat.h"
 
 #define VALUE_OF(k, kind, type)     *(kind##_TYPE(type)*)values[k]
 #define VALUE_(k, kind, type, name) VALUE_OF(k, kind, type)
