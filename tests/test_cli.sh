@@ -176,6 +176,9 @@ refuse 1 'def.path is "nowhere/x.rec", which cannot be opened: No such file' run
 refuse 2 '--hash-interval has no effect: there is no --record' run "${churn[@]}" --hash-interval 3
 refuse 2 '--hash-interval -3: must be a whole number from 0' run "${churn[@]}" --record x.rec --hash-interval -3
 refuse 2 'takes no --against' run pile --against cpu
+expect 0 "$hash30" run churn --threads 1 --steps 30 --recovery-interval 5
+refuse 2 '--recovery-interval has no effect: the device is the CPU' run "${churn[@]}" --recovery-interval 5
+refuse 2 '--recovery-interval 0: must be' run churn --recovery-interval 0
 [ -w /dev/full ] && refuse 1 '/dev/full cannot be written: No space' run "${churn[@]}" --steps 2 --record /dev/full
 
 # hash

@@ -2,9 +2,10 @@
 // test_device_faults.c -- checks that each OpenCL call may fail, in every way, and that each wait ends.
 //
 // The acts of fault_acts.def run on an OpenCL device behind fault_layer. In each run one call fails, in the next run a
-// later call. The public call that contains it returns a status and names the OpenCL function and the error. The world
-// is then either unchanged, and the act is repeated, or broken. No call uses an object of a lost context, all memory
-// and all objects of other contexts are released, and a world in another context goes on.
+// later call. Without recovery, the public call that contains it returns a status and names the OpenCL function and the
+// error. The world is then either unchanged, and the act is repeated, or broken. With recovery, the world goes on on the CPU
+// to the hash of a world whose device never failed, and logs one line. In both cases no call uses an object of a lost context,
+// all memory and all objects of other contexts are released, and a world in another context goes on.
 //
 // SCREE_FAULTS is the number of calls of each function that fail in each way; "all": each call, and every 97th of
 // clSetKernelArg.
@@ -23,6 +24,8 @@
 
 #define PATIENT 60.0f // s: limit of a wait that must not be reached
 #define HASTY   0.4f  // s: limit of a wait for a command that never ends
+
+#define AUTO_FAULTS 12 // number of kernel launches that fail in worlds with device "auto"
 
 static FaultLayer* layer;
 static uint64_t expected[FAULT_ACTS]; // hash after each act
@@ -116,11 +119,32 @@ static bool is_tolerated(scree_status status, const char* act, Kind kind)
 	return false;
 }
 
-// Runs the acts with one fault. calls: number of calls of the function before it. Returns whether there was one. *broken: increased by
-// 1 if the world broke.
-static bool run_with_fault(Kind kind, int function, long calls, int* broken)
+static const char recovered[] = "the world goes on on the CPU";
+
+// Checks that the log has one line for a world that has left its device; a release that fails has a line of its own. Returns
+// whether the world left.
+static bool is_recovered(void)
 {
-	FaultRun s = {.device = second_device, .device_timeout = kind.fault == LAYER_HANGS ? HASTY : PATIENT};
+	int lines = 0;
+	for (const char* at = warnings; *at; at = strchr(at, '\n') + 1)
+		lines += strncmp(at, "clRelease", strlen("clRelease")) != 0;
+	if (strstr(warnings, recovered) && lines != 1)
+		fail_msg("a world recovers, and the log has %d lines:\n%s", lines, warnings);
+	return strstr(warnings, recovered);
+}
+
+typedef struct // numbers of runs
+{
+	int tried, functions, broken, recovered;
+} Outcomes;
+
+// Runs the acts with one fault. calls: number of calls of the function before it. interval: as in scree_world_def. Returns whether
+// there was one.
+static bool run_with_fault(Kind kind, int function, long calls, int interval, Outcomes* outcomes)
+{
+	FaultRun s = {.device = second_device,
+	              .device_timeout = kind.fault == LAYER_HANGS ? HASTY : PATIENT,
+	              .recovery_interval = interval};
 	bool seen = false;
 	begin_fault(kind, function, calls);
 	for (int k = 0; k < FAULT_ACTS; ++k)
@@ -135,11 +159,17 @@ static bool run_with_fault(Kind kind, int function, long calls, int* broken)
 		layer->lose();
 		// other acts open another device, whose failure does not break the world
 		if (status == SCREE_ERROR_DEVICE_FAILED && s.world && !fault_acts[k].opens)
+		{
+			if (interval > 0)
+				fail_msg("%s: the world does not recover: %s", fault_acts[k].name, scree_error());
 			assert_int_equal(s.world->broken, status);
+		}
 		if (s.world && scree_world_wait(s.world) != SCREE_OK)
 		{
+			if (interval > 0)
+				fail_msg("after %s the world does not recover: %s", fault_acts[k].name, scree_error());
 			check_broken(&s, SCREE_ERROR_DEVICE_FAILED);
-			++*broken;
+			++outcomes->broken;
 			break;
 		}
 		if (s.world && !fault_acts[k].several)
@@ -149,15 +179,17 @@ static bool run_with_fault(Kind kind, int function, long calls, int* broken)
 	if (s.world && scree_world_wait(s.world) == SCREE_OK)
 		assert_true(hash_of(s.world) == expected[FAULT_ACTS - 1]);
 	bool failed = layer->failed;
+	outcomes->recovered += is_recovered();
+	outcomes->tried += failed;
 	fault_run_end(&s);
 	end_fault();
 	return failed;
 }
 
 // Sets calls[] to the number of calls of each function in a run without a fault.
-static void count_calls(long calls[LAYER_FUNCTIONS])
+static void count_calls(long calls[LAYER_FUNCTIONS], int interval)
 {
-	FaultRun s = {.device = second_device, .device_timeout = PATIENT};
+	FaultRun s = {.device = second_device, .device_timeout = PATIENT, .recovery_interval = interval};
 	long before[LAYER_FUNCTIONS];
 	memcpy(before, layer->calls_of, sizeof before);
 	for (int k = 0; k < FAULT_ACTS; ++k)
@@ -178,26 +210,85 @@ static long sites_of(int function, long calls)
 	return most < calls ? most : calls;
 }
 
-static void each_call_fails(void** state)
+static Outcomes fail_each_call(int interval)
 {
-	(void)state;
-	NEEDS_SECOND_DEVICE();
 	bool all = getenv("SCREE_FAULTS");
 	long calls[LAYER_FUNCTIONS];
-	int broken = 0, tried = 0, functions = 0;
-	count_calls(calls);
+	Outcomes outcomes = {0};
+	count_calls(calls, interval);
 	for (int f = 0; f < LAYER_FUNCTIONS; ++f)
 	{
 		long sites = sites_of(f, calls[f]);
-		functions += sites > 0;
+		outcomes.functions += sites > 0;
 		for (long k = 0; k < sites; ++k)
 			for (int kind = 0; kind < KINDS; ++kind)
 				// without SCREE_FAULTS a function has one kind of fault
 				if (all || kind == (f + (int)k) % KINDS)
-					tried += run_with_fault(kinds[kind], f, (2 * k + 1) * calls[f] / (2 * sites), &broken);
+					run_with_fault(kinds[kind], f, (2 * k + 1) * calls[f] / (2 * sites), interval, &outcomes);
 	}
-	print_message("%d faults in %d functions; %d worlds broke\n", tried, functions, broken);
-	assert_true(functions > 25 && broken > 5 && broken < tried);
+	print_message("%d faults in %d functions; %d worlds broke, %d went on on the CPU\n", outcomes.tried,
+	              outcomes.functions, outcomes.broken, outcomes.recovered);
+	return outcomes;
+}
+
+static void each_call_fails(void** state)
+{
+	(void)state;
+	NEEDS_SECOND_DEVICE();
+	Outcomes o = fail_each_call(0);
+	assert_true(o.functions > 25 && o.broken > 5 && o.broken < o.tried && o.recovered == 0);
+}
+
+// Worlds go on on the CPU.
+static void worlds_recover(void** state)
+{
+	(void)state;
+	NEEDS_SECOND_DEVICE();
+	Outcomes o = fail_each_call(4);
+	assert_true(o.functions > 20 && o.recovered > 5 && o.broken == 0);
+}
+
+// Steps a world on the device "auto", which moves between the CPU and the second device. Returns its hash.
+static uint64_t run_auto(const char* device, long calls)
+{
+	scree_world* world;
+	scree_world_def def = scree_world_def_default();
+	def.device = device;
+	def.recovery_interval = 3;
+	OK(scree_world_create(&def, &world));
+	add_floor(world);
+	for (int k = 0; k < 40; ++k)
+		add_reporter(world, box_shape(0.5f, 0.5f), SCREE_REPORT_TOUCHES, (float)(k % 8), 0.6f + 1.01f * (float)(k / 8));
+	begin_fault(kinds[3], LAYER_EnqueueNDRangeKernel, calls);
+	run_steps(world, 25);
+	uint64_t hash = hash_of(world);
+	is_recovered();
+	scree_world_destroy(world);
+	return hash;
+}
+
+static void auto_recovers(void** state)
+{
+	(void)state;
+	NEEDS_SECOND_DEVICE();
+	uint64_t without = run_auto("cpu", -1);
+	end_fault();
+	set_environment("SCREE_AUTO", second_device);
+	const long* now = layer->calls_of + LAYER_EnqueueNDRangeKernel;
+	long before = *now;
+	assert_true(run_auto("auto", -1) == without);
+	long calls = *now - before;
+	end_fault();
+	int recoveries = 0;
+	for (int k = 0; k < AUTO_FAULTS; ++k)
+	{
+		assert_true(run_auto("auto", k * calls / AUTO_FAULTS) == without);
+		recoveries += strstr(warnings, recovered) != NULL;
+		end_fault();
+	}
+	print_message("%d of %d worlds with device auto recovered\n", recoveries, AUTO_FAULTS);
+	assert_true(recoveries > 2);
+	set_environment("SCREE_AUTO", NULL);
 }
 
 // Opens a device that has no verdict and is therefore tested, with one fault. The next world is created and can step.
@@ -339,8 +430,8 @@ static int end(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(each_call_fails),
-	    cmocka_unit_test(devices_open_with_faults),
+	    cmocka_unit_test(each_call_fails),      cmocka_unit_test(worlds_recover),
+	    cmocka_unit_test(auto_recovers),        cmocka_unit_test(devices_open_with_faults),
 	    cmocka_unit_test(cached_programs_fail),
 	};
 	return cmocka_run_group_tests(tests, begin, end);

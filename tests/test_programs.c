@@ -83,6 +83,15 @@ static void reads_change_nothing(void** state)
 	check_variant(&variants[0], quick() ? 50 : 400, (Place){.reads = true});
 }
 
+// Checks that a world whose device fails between calls goes on with the same bits (docs/faults.md).
+static void failures_change_nothing(void** state)
+{
+	(void)state;
+	Variant variants[MAX_VARIANTS];
+	list_variants(variants);
+	check_variant(&variants[0], quick() ? 50 : 300, (Place){.faults = true});
+}
+
 // Checks that devices that flush denormals to 0 leave the same bits (docs/determinism.md).
 static void denormals_change_nothing(void** state)
 {
@@ -168,8 +177,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(text_is_the_program),      cmocka_unit_test(programs_are_equal),
-	    cmocka_unit_test(reads_change_nothing),     cmocka_unit_test(denormals_change_nothing),
-	    cmocka_unit_test(saved_programs_are_equal),
+	    cmocka_unit_test(reads_change_nothing),     cmocka_unit_test(failures_change_nothing),
+	    cmocka_unit_test(denormals_change_nothing), cmocka_unit_test(saved_programs_are_equal),
 	};
 	return cmocka_run_group_tests(tests, hide_log, NULL);
 }

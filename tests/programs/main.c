@@ -26,6 +26,7 @@ static const char usage[] =
     "  --reports N     failures that a process makes shorter and prints; the others it counts (4)\n"
     "  --infinite      state that is not finite is no failure\n"
     "  --reads         the other world is read between calls, and moved to the device where it is\n"
+    "  --faults        the device of the other world fails between calls, and the world recovers (docs/faults.md)\n"
     "  --records       the calls of each program are recorded, and repeated on the device at the end "
     "(docs/recording.md)\n"
     "  --record FILE   the same; the last recording is written to the file\n"
@@ -57,6 +58,7 @@ static Options parse(int count, char** arguments)
 		             : strcmp(name, "--infinite") == 0 ? &o.infinite
 		             : strcmp(name, "--limits") == 0   ? &o.limits
 		             : strcmp(name, "--reads") == 0    ? &o.places[1].reads
+		             : strcmp(name, "--faults") == 0   ? &o.places[1].faults
 		             : strcmp(name, "--records") == 0  ? &o.records
 		                                               : NULL;
 		if (flag)
@@ -151,7 +153,8 @@ static int replay(const Options* o)
 	if (o->shrink > 0.0 && farm_shrink(&pair, &program, o->shrink))
 		program_write(&program, stdout);
 	bool differs = farm_print(&pair, &program, o->replay, stdout);
-	for (pair.first_read = 1; o->places[1].reads && !differs && pair.first_read < READ_CHOICES; ++pair.first_read)
+	bool chooses = o->places[1].reads || o->places[1].faults;
+	for (pair.first_read = 1; chooses && !differs && pair.first_read < READ_CHOICES; ++pair.first_read)
 		differs = farm_print(&pair, &program, o->replay, stdout);
 	if (!differs)
 		printf("%s: the same on both\n", o->replay);

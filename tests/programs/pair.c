@@ -2,7 +2,7 @@
 // pair.c -- runs a program on two worlds side by side, which must have equal statuses, results and hashes.
 #include "backend/arithmetic.h"
 #include "programs/run_call.h"
-#include "world/world.h"
+#include "world/recovery/recovery.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,6 +59,18 @@ static void read_between(Pair* pair, CallRun run)
 	}
 }
 
+// Lets the device of a world fail between two calls, or not; the world recovers in the next call that uses the device. A CPU counts
+// as a device, whose threads are not counted, so that a state is kept.
+static void fail_between(const Pair* pair, scree_world* world, const Call* call)
+{
+	world->backend->threads = 0;
+	if (world->recovery->kept.save && any_of(call, pair->first_read) >> 28 == 0)
+	{
+		world->broken = SCREE_ERROR_DEVICE_FAILED;
+		scree_world_wait(world);
+	}
+}
+
 // Makes a call on world number k of the pair, and returns the outcome. hashes: whether the outcome of a step includes
 // the hash of the world.
 static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
@@ -74,6 +86,8 @@ static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 		moving->boxed = 0;                   // boxes for queries are all computed (step/step_queries.c)
 		moving->change = TREE_MOVED;         // all boxes of the tree are computed (step/stage_lists.c)
 	}
+	if (pair->places[k].faults)
+		fail_between(pair, pair->worlds[k], call);
 	left.status = run_call(&run);
 	if (left.status != SCREE_OK)
 		snprintf(left.error, sizeof left.error, "%s", scree_error());

@@ -71,6 +71,8 @@ typedef struct // first device of a world, and device to which the call "move" m
 	// true: between calls the world is read, and moved to the device that it is on; it skips no steps in which nothing
 	// moves
 	bool reads;
+	// true: between calls its devices fail, and it recovers; a CPU counts as a device that fails
+	bool faults;
 } Place;
 
 // number of values of Pair.first_read; each value selects other reads for the same calls

@@ -118,5 +118,6 @@ scree_status run_call(const CallRun* run);
 
 // Creates the world of a program. call: the first call of the program, which contains the settings.
 scree_status run_world(const Place* place, const Call* call, scree_world** world);
+#define FAULTY_INTERVAL 3 // steps from one kept state to the next, in a place with faults
 
 #endif

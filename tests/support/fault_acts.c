@@ -9,6 +9,7 @@ scree_status act_create_world(FaultRun* s)
 	def.device = s->device ? s->device : "cpu";
 	def.threads = 2;
 	def.device_timeout = s->device_timeout;
+	def.recovery_interval = s->recovery_interval;
 	def.contact_capacity = 8;
 	def.timings = s->timings;
 	return scree_world_create(&def, &s->world);

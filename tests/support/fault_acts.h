@@ -11,8 +11,9 @@
 typedef struct
 {
 	scree_world* world;
-	const char* device;   // device of the world; null: the CPU
-	float device_timeout; // s, as in scree_world_def
+	const char* device;    // device of the world; null: the CPU
+	float device_timeout;  // s, as in scree_world_def
+	int recovery_interval; // the same
 	scree_attribute box, circle, slab;
 	scree_body bodies[BODIES];
 	scree_body slab_body;
