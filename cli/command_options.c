@@ -80,6 +80,10 @@ static const Option record = {"record", 'o', "FILE", "record all calls, for scre
 static const Option hash_interval = {"hash-interval", 'i', "N",
                                      "steps from one hash of the recording to the next; 0: only the last; default 60",
                                      OTHER(read_hash_interval)};
+static const Option recovery_interval = {
+    "recovery-interval", 'I', "N",
+    "steps from one kept state to the next, with which a run goes on on the CPU if the device fails: docs/faults.md",
+    NUMBER(Options, recovery_interval, 999999999)};
 static const Option save = {"save", 'W', "FILE", "write a snapshot of the last state: docs/snapshots.md",
                             TEXT(Options, save)};
 static const Option load = {"load", 'O', "FILE", "begin with the state of a snapshot of the same scene",
@@ -125,6 +129,7 @@ static const OptionRow rows[] = {
     {&save, RUN},
     {&record, RUN | VIEW},
     {&hash_interval, RUN | VIEW},
+    {&recovery_interval, RUN | BENCH},
     {&against, REPLAY},
     {&queries, QUERIES},
     {&repeats, BENCH | QUERIES},
@@ -136,9 +141,9 @@ static const OptionRow rows[] = {
     {&option_help, ALL},
 };
 #define ROW_COUNT (int)(sizeof rows / sizeof rows[0])
-_Static_assert(ROW_COUNT <= MAX_OPTIONS, "one bit of an unsigned per option");
+_Static_assert(ROW_COUNT <= MAX_OPTIONS, "one bit of an uint64_t per option");
 
-static bool have_effect(const OptionTable* table, const Options* options, unsigned given)
+static bool have_effect(const OptionTable* table, const Options* options, uint64_t given)
 {
 	bool other = options->command == VALIDATE || options->command == VIEW;
 	if (options->command == RUN && !options->picture && !options->video &&
@@ -148,6 +153,8 @@ static bool have_effect(const OptionTable* table, const Options* options, unsign
 		return false;
 	if (!other && strncmp(options->device, "opencl", 6) == 0 &&
 	    options_no_effect(table, options, given, "tl", "the device is not the CPU"))
+		return false;
+	if (strcmp(options->device, "cpu") == 0 && options_no_effect(table, options, given, "I", "the device is the CPU"))
 		return false;
 	if (options->command == VALIDATE && options->names &&
 	    options_no_effect(table, options, given, "dtluq", "--names runs nothing"))

@@ -66,6 +66,7 @@ int open_player(const Options* options, const Scene* scene, bool timings, SceneP
 	def.lanes = options->lanes;
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	def.timings = timings;
+	def.recovery_interval = options->recovery_interval;
 	def.sleep = scene_sleeps(scene, options->sleep);
 	def.opengl = options->opengl;
 	int code = report(player_open(player, scene, &def));

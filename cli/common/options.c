@@ -6,7 +6,7 @@
 
 const char* program_name = "scree";
 
-bool options_no_effect(const OptionTable* table, const Options* options, unsigned given, const char* letters,
+bool options_no_effect(const OptionTable* table, const Options* options, uint64_t given, const char* letters,
                        const char* because)
 {
 	for (int k = 0; k < table->count; ++k)
@@ -35,7 +35,7 @@ static const OptionRow* find_row(const OptionTable* table, const Options* option
 // Reads the options, up to the first --help. Sets bit k of *given if the option of row k was read. Returns false after
 // it has printed an error message.
 static bool read_all(const OptionTable* table, Options* options, int count, char** words, const char* shorts,
-                     const struct option* longs, unsigned* given)
+                     const struct option* longs, uint64_t* given)
 {
 	opterr = 0;
 	for (int letter; !options->help && (letter = getopt_long(count, words, shorts, longs, NULL)) != -1;)
@@ -55,7 +55,7 @@ static bool read_all(const OptionTable* table, Options* options, int count, char
 		const OptionRow* row = find_row(table, options, letter);
 		if (!row || !row->option->read(options, row->option, optarg))
 			return false;
-		*given |= 1u << (row - table->rows);
+		*given |= (uint64_t)1 << (row - table->rows);
 	}
 	return true;
 }
@@ -72,7 +72,7 @@ bool options_read(const OptionTable* table, Options* options, int count, char** 
 	}
 	longs[table->count] = (struct option){0};
 
-	unsigned given = 0;
+	uint64_t given = 0;
 	if (!read_all(table, options, count, words, shorts, longs, &given))
 		return false;
 	options->arguments = words + optind;

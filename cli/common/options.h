@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #define MAX_SETTINGS 32
-#define MAX_OPTIONS  32 // maximum number of rows of a table: one bit of an unsigned per row
+#define MAX_OPTIONS  64 // maximum number of rows of a table: one bit of an uint64_t per row
 
 // exit codes
 #define EXIT_GOOD   0
@@ -25,6 +25,7 @@ typedef struct
 	int threads, lanes; // 0: as many as available
 	bool allow_unequal_bits;
 	SceneSleep sleep;
+	int recovery_interval;                 // as in scree_world_def
 	const scree_opengl* opengl;            // context that draws the world; null if there is none
 	const char *picture, *video, *csv;     // paths; null: no such file is written
 	const char *renderer, *paint, *layers; // names; null: the default value
@@ -71,7 +72,7 @@ typedef struct OptionTable // options of a program
 	const OptionRow* rows;
 	int count;
 	// Returns whether each given option has an effect; if one has none, prints the reason. given: bit k for row k.
-	bool (*have_effect)(const struct OptionTable* table, const Options* options, unsigned given);
+	bool (*have_effect)(const struct OptionTable* table, const Options* options, uint64_t given);
 } OptionTable;
 
 // Returns the number of steps of a command: that of the command line, or that of the scene.
@@ -86,7 +87,7 @@ bool options_read(const OptionTable* table, Options* options, int count, char** 
 
 // If an option with one of these letters was given, prints that it has no effect, with the reason `because`, and
 // returns true. Otherwise returns false.
-bool options_no_effect(const OptionTable* table, const Options* options, unsigned given, const char* letters,
+bool options_no_effect(const OptionTable* table, const Options* options, uint64_t given, const char* letters,
                        const char* because);
 
 #endif

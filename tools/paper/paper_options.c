@@ -36,9 +36,9 @@ static const OptionRow rows[] = {
     {&option_help, ALL},
 };
 #define ROW_COUNT (int)(sizeof rows / sizeof rows[0])
-_Static_assert(ROW_COUNT <= MAX_OPTIONS, "a bit of an unsigned for each option that was given");
+_Static_assert(ROW_COUNT <= MAX_OPTIONS, "a bit of an uint64_t for each option that was given");
 
-static bool have_effect(const OptionTable* table, const Options* options, unsigned given)
+static bool have_effect(const OptionTable* table, const Options* options, uint64_t given)
 {
 	const PaperOptions* own = (const PaperOptions*)options;
 	if (options->command == RUN && !options->picture && !options->video &&
