@@ -115,6 +115,30 @@ static void structure_comes_back(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// A path that is destroyed between two saves does not come back with the second one.
+static void paths_end_between_saves(void** state)
+{
+	(void)state;
+	static const scree_vec points[] = {{0.0f, 0.0f}, {1.0f, 1.0f}, {2.0f, 0.0f}};
+	scree_world* world = open_world(-10.0f);
+	scree_path_def def = scree_path_def_default();
+	def.points = points;
+	def.count = 3;
+	scree_path path;
+	OK(scree_path_create(world, &def, &path));
+	OK(scree_world_save(world, 0));
+	OK(scree_path_destroy(world, path));
+	OK(scree_world_save(world, 1));
+	uint64_t hash = hash_of(world);
+	add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
+	OK(scree_world_load(world, 1));
+	assert_false(scree_path_is_valid(world, path));
+	assert_true(hash_of(world) == hash);
+	OK(scree_world_load(world, 0));
+	assert_true(scree_path_is_valid(world, path));
+	scree_world_destroy(world);
+}
+
 static void refused(scree_status status, const char* sentence)
 {
 	assert_int_equal(status, SCREE_ERROR_INVALID);
@@ -181,9 +205,8 @@ static void memory_runs_out(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(scenes_roll_back),
-	    cmocka_unit_test(structure_comes_back),
-	    cmocka_unit_test(bad_numbers_are_refused),
+	    cmocka_unit_test(scenes_roll_back),        cmocka_unit_test(structure_comes_back),
+	    cmocka_unit_test(paths_end_between_saves), cmocka_unit_test(bad_numbers_are_refused),
 	    cmocka_unit_test(memory_runs_out),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);

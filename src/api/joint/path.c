@@ -79,6 +79,7 @@ scree_status api_path_destroy(scree_world* world, scree_path path)
 		return refuse(SCREE_ERROR_INVALID, at, "", "is that of %d joint%s: destroy %s first", uses, uses > 1 ? "s" : "",
 		              uses > 1 ? "them" : "it");
 	path_remove(world, index);
+	structure_changed(world); // no edit waits for the upload
 	return SCREE_OK;
 }
 
