@@ -24,6 +24,7 @@ stages/solve/hub stages/solve/chain
 stages/solve
 stages/finalize
 stages/read
+stages/save
 stages
 backend
 cpu opencl

@@ -39,6 +39,25 @@ typedef struct // softness of a contact: factors of the bias pass. Source: Erin 
 	float firm, depth; // bias_rate is multiplied by 1 + firm for the part of an overlap up to `depth`, m
 } Softness;
 
+// Numbers of words of a save: before the parts, and of each item (src/stages/save/).
+#define SAVED_HEAD             4
+#define SAVED_BODY_WORDS       17
+#define SAVED_COLLIDABLE_WORDS 6
+#define SAVED_CONTACT_WORDS    9
+#define SAVED_PLACE_WORDS      5
+
+typedef struct // a part of a save: the number of its items, and its first word
+{
+	int at, count;
+} SavedPart;
+
+typedef struct // places of a save in the pool saved, in words from item `first` on; only kernels of saves read this
+{
+	int first;
+	SavedPart bodies, collidables, contacts, places;
+	int rest, room; // first word for values that differ from their predictions; number of such words
+} SavedLayout;
+
 typedef struct // constants of one step, passed by value to every kernel; a comment "some ..." is the condition for 1
 {
 	float dt, h, inv_h; // s: step; s: substep; 1/s: substeps per second
@@ -86,6 +105,7 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 	// Number of nodes of level 1 that a traversal visits before it is split; number of work-items for split traversals.
 	int traversal_nodes, traversal_items;
 	int key_bits; // bits of a collidable's index in the key of a pair
+	SavedLayout saved;
 } Step;
 
 #define STEP_RARE(step) ((step).has_rolling | (step).details) // not 0 if the rare rows of contacts are used

@@ -251,7 +251,9 @@ typedef struct // a save of the user
 	ChunkWriter host; // data on the host that steps change
 	SavedRange range;
 	int counts[POOL_COUNT];
-	int leaves[2]; // number of leaves of each tree
+	int leaves[2];      // number of leaves of each tree
+	SavedLayout layout; // places of packed items in `range`
+	int material_pairs; // number of pairs of materials
 } Save;
 
 #define KEPT_SAVES 2                          // saves of the library, for recovery: the last one, and the next
@@ -267,6 +269,7 @@ typedef struct
 {
 	uint64_t version, last; // version of the structure of the world, which changes with each call that changes it
 	int end;                // number of items of the pool `saved` that are in use
+	int rest;               // number of words that differed from their predictions in the last save
 	SaveList* list;         // null before the first save
 } Saves;
 

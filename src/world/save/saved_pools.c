@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // saved_pools.c -- copies items of pools to the pool `saved` and back, without the bus. A save contains the pools that
-// outlive a step. Pools that only calls of the user change belong to the structure.
+// outlive a step. Pools that only calls of the user change belong to the structure. Kernels pack the pools of bodies,
+// collidables and contacts (src/stages/save/); the others are copied whole.
 #include "world/save/saved_pools.h"
 #include "platform/error.h"
 #include "step/reserve.h"
 #include "world/device/lasting.h"
 
+// The members of the pools `body` and `motion` that steps change are packed too.
 static bool is_structure(PoolId pool)
 {
 	switch (pool)
@@ -21,6 +23,8 @@ static bool is_structure(PoolId pool)
 	case POOL_filter:
 	case POOL_next_collidable:
 	case POOL_local_center:
+	case POOL_body:
+	case POOL_motion:
 	case POOL_stored_velocity:
 	case POOL_continuous_body:
 	case POOL_sleep_threshold:
@@ -31,6 +35,21 @@ static bool is_structure(PoolId pool)
 	case POOL_branch:
 	case POOL_path_sample:
 		return true;
+	default:
+		return false;
+	}
+}
+
+static bool is_packed(PoolId pool)
+{
+	switch (pool_info[pool].per)
+	{
+	case PER_BODY:
+	case PER_COLLIDABLE:
+	case PER_CONTACT:
+	case PER_CONTACT_PLACE:
+	case PER_CONTACT_BLOCK:
+		return !is_structure(pool);
 	default:
 		return false;
 	}
@@ -54,7 +73,7 @@ int64_t saved_pools_count(const scree_world* world, bool structure, int counts[P
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		counts[pool] = is_saved((PoolId)pool, structure) ? lasting_items(world, pool_info[pool].per) : 0;
-		sum += units(pool_info[pool].bytes, counts[pool]);
+		sum += is_packed((PoolId)pool) ? 0 : units(pool_info[pool].bytes, counts[pool]);
 	}
 	for (int t = 0; t < 2 && !structure; ++t)
 		sum += units(sizeof(int), world->pipeline.trees[t].tree.leaves);
@@ -78,9 +97,11 @@ scree_status saved_pools_copy(scree_world* world, bool structure, SavedRange ran
 		if (!is_saved((PoolId)pool, structure))
 			continue;
 		int used = back ? used_items(world, pool_info[pool].per) : 0;
-		TRY(b->f->keep(b, (PoolId)pool, 0, counts[pool], at, back));
 		if (used > counts[pool]) // items that the world has gained since
 			TRY(b->f->clear(b, (PoolId)pool, counts[pool], used - counts[pool]));
+		if (is_packed((PoolId)pool))
+			continue;
+		TRY(b->f->keep(b, (PoolId)pool, 0, counts[pool], at, back));
 		at += (int)units(pool_info[pool].bytes, counts[pool]);
 	}
 	for (int t = 0; t < 2 && !structure; ++t)
@@ -97,4 +118,46 @@ scree_status saved_pools_reserve(scree_world* world, const int counts[POOL_COUNT
 		if (counts[pool] > 0)
 			TRY(pipeline_reserve(&world->pipeline, pool_info[pool].per, counts[pool]));
 	return SCREE_OK;
+}
+
+static SavedPart part(int* at, int words, int count)
+{
+	SavedPart made = {*at, count};
+	*at += words * count;
+	return made;
+}
+
+int64_t saved_words_count(const scree_world* world, int first, SavedLayout* layout)
+{
+	int bodies = lasting_items(world, PER_BODY), collidables = lasting_items(world, PER_COLLIDABLE);
+	int contacts = lasting_items(world, PER_CONTACT), places = lasting_items(world, PER_CONTACT_PLACE), at = SAVED_HEAD;
+	*layout = (SavedLayout){.first = first};
+	layout->bodies = part(&at, SAVED_BODY_WORDS, bodies);
+	layout->collidables = part(&at, SAVED_COLLIDABLE_WORDS, collidables);
+	layout->contacts = part(&at, SAVED_CONTACT_WORDS, contacts);
+	layout->places = part(&at, SAVED_PLACE_WORDS, places);
+	layout->rest = at;
+	return at;
+}
+
+scree_status saved_words_run(const scree_world* world, const SavedLayout* layout, int material_pairs, bool back)
+{
+#ifdef SCREE_SMALL // the package for WebAssembly has no saves
+	(void)world, (void)layout, (void)material_pairs, (void)back;
+	return SCREE_OK;
+#else
+	// these constants do not depend on the world, so that the predictions of a load are those of the save
+	const Step step = {.small = 1, .material_pairs = material_pairs, .saved = *layout};
+	const SavedPart parts[] = {layout->bodies, layout->collidables, layout->contacts, layout->places};
+	static const int kernels[][2] = {{KERNEL_save_body, KERNEL_load_body},
+	                                 {KERNEL_save_collidable, KERNEL_load_collidable},
+	                                 {KERNEL_save_contact, KERNEL_load_contact},
+	                                 {KERNEL_save_place, KERNEL_load_place}};
+	Run runs[sizeof parts / sizeof *parts];
+	int count = 0;
+	for (size_t k = 0; k < sizeof parts / sizeof *parts; ++k)
+		if (parts[k].count > 0)
+			runs[count++] = (Run){.kernel_id = kernels[k][back], .end = parts[k].count, .count = NO_COUNT};
+	return world->backend->f->run(world->backend, &step, runs, count);
+#endif
 }

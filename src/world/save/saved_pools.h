@@ -12,6 +12,14 @@ int64_t saved_pools_count(const scree_world* world, bool structure, int counts[P
 scree_status saved_pools_copy(scree_world* world, bool structure, SavedRange range, const int counts[POOL_COUNT],
                               const int leaves[2], bool back);
 
+// Sets the places of the packed items of a save from item `first` of the pool `saved` on, apart from the room for the rest
+// (src/stages/save/saved_words.h). Returns the number of words before the rest.
+int64_t saved_words_count(const scree_world* world, int first, SavedLayout* layout);
+
+// Packs the items of a save, or unpacks them after all copies of pools. material_pairs: number of pairs of materials at the
+// time of the save.
+scree_status saved_words_run(const scree_world* world, const SavedLayout* layout, int material_pairs, bool back);
+
 // Enlarges the pools of a world for saved items.
 scree_status saved_pools_reserve(scree_world* world, const int counts[POOL_COUNT]);
 

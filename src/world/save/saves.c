@@ -12,6 +12,9 @@
 #include "world/upload/upload.h"
 #include <string.h>
 
+#define SPARE 32 // reciprocal of the share of a range that is left for a later save
+#define GUESS 4  // number of items, of which one is taken to differ from its prediction before the first save
+
 #define STRUCTURES ((int)(sizeof((SaveList*)0)->structures / sizeof *((SaveList*)0)->structures))
 
 // Returns the range of a save (below SAVE_SLOTS) or of a structure.
@@ -47,7 +50,7 @@ static scree_status find_range(scree_world* world, const char* function, int64_t
 	const SaveList* list = world->saves.list;
 	if (count <= range->count)
 		return SCREE_OK;
-	count += count / 8;
+	count += count / SPARE;
 	int64_t lowest = INT32_MAX;
 	for (int k = -1; k < SAVE_SLOTS + STRUCTURES; ++k)
 	{
@@ -98,6 +101,31 @@ static void give_up(SaveList* list, Save* save)
 	save->made = false;
 }
 
+// Packs the items of a save, again if too many values differed from their predictions. Waits for the last step.
+static scree_status pack(scree_world* world, const char* function, Save* save)
+{
+	Backend* b = world->backend;
+	int64_t copied = saved_pools_count(world, false, save->counts), words = saved_words_count(world, 0, &save->layout);
+	const SavedLayout* l = &save->layout;
+	int64_t items = (int64_t)l->bodies.count + l->collidables.count + l->contacts.count;
+	int64_t room = world->saves.rest > 0 ? world->saves.rest : items / GUESS;
+	save->material_pairs = world->pipeline.material_pairs;
+	for (;;)
+	{
+		int rest[4];
+		TRY(find_range(world, function, copied + (words + room) / 4 + 1, &save->range));
+		saved_words_count(world, save->range.first + (int)copied, &save->layout);
+		save->layout.room = (int)(4 * (save->range.count - copied) - words);
+		TRY(world_note(world, b->f->clear(b, POOL_saved, save->layout.first, 1)));
+		TRY(world_note(world, saved_words_run(world, &save->layout, save->material_pairs, false)));
+		TRY(world_note(world, b->f->read(b, POOL_saved, save->layout.first, 1, rest)));
+		room = world->saves.rest = rest[0];
+		if (room <= save->layout.room)
+			break;
+	}
+	return world_note(world, saved_pools_copy(world, false, save->range, save->counts, save->leaves, false));
+}
+
 scree_status world_save(scree_world* world, const char* function, int number)
 {
 	if (!world->saves.list)
@@ -114,10 +142,9 @@ scree_status world_save(scree_world* world, const char* function, int number)
 	for (int t = 0; t < 2; ++t)
 		made.leaves[t] = world->pipeline.trees[t].tree.leaves;
 	made.range = save->range;
-	TRY(find_range(world, function, saved_pools_count(world, false, made.counts), &made.range));
 	scree_status status = saved_step_write(world, function, &save->host);
 	if (status == SCREE_OK)
-		status = world_note(world, saved_pools_copy(world, false, made.range, made.counts, made.leaves, false));
+		status = pack(world, function, &made);
 	++list->structures[made.structure].uses; // before the old use ends, so that the structure stays
 	give_up(list, save);
 	made.host = save->host;
@@ -137,9 +164,13 @@ static scree_status load_all(scree_world* world, const Save* save, HostLoad* hos
 	TRY(world_note(world, saved_pools_reserve(world, save->counts)));
 	if (!host->same)
 		TRY(world_note(world, saved_pools_reserve(world, structure->counts)));
-	scree_status status = saved_pools_copy(world, false, save->range, save->counts, save->leaves, true);
-	if (status == SCREE_OK && !host->same)
+	scree_status status = SCREE_OK;
+	if (!host->same) // first, because the values of other items follow from it
 		status = saved_pools_copy(world, true, structure->range, structure->counts, NULL, true);
+	if (status == SCREE_OK)
+		status = saved_pools_copy(world, false, save->range, save->counts, save->leaves, true);
+	if (status == SCREE_OK)
+		status = saved_words_run(world, &save->layout, save->material_pairs, true);
 	if (status == SCREE_OK)
 	{
 		saved_host_read(host);

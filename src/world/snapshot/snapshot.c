@@ -70,6 +70,20 @@ static size_t largest_pool(const scree_world* world)
 	return largest;
 }
 
+// Clears values of contacts that are left over from earlier, so that equal worlds have equal snapshots.
+static scree_status tidy(scree_world* world)
+{
+#ifdef SCREE_SMALL // the package for WebAssembly has no snapshots
+	(void)world;
+	return SCREE_OK;
+#else
+	int slots = lasting_items(world, PER_CONTACT), places = lasting_items(world, PER_CONTACT_PLACE);
+	const Step step = {0};
+	const Run run = {.kernel_id = KERNEL_contact_tidy, .end = slots > places ? slots : places, .count = NO_COUNT};
+	return run.end > 0 ? world_note(world, world->backend->f->run(world->backend, &step, &run, 1)) : SCREE_OK;
+#endif
+}
+
 scree_status snapshot_write(scree_world* world, const char* function, ChunkWriter* writer)
 {
 	TRY(world_upload(world));
@@ -77,6 +91,7 @@ scree_status snapshot_write(scree_world* world, const char* function, ChunkWrite
 	// the end of a step changes some counters after the host has read them
 	TRY(world_read(world, POOL_counters, 0, 1, &world->pipeline.counters));
 	TRY(world_note(world, tree_upload(&world->pipeline))); // appends new leaves
+	TRY(tidy(world));
 	void* memory = world_scratch(world, largest_pool(world));
 	if (!memory)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a snapshot", function);

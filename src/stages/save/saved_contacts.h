@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// saved_contacts.h -- packs the contacts of a world into a save, and unpacks them; saved_places.h has their impulses.
+//
+// Some values of a contact are left over from earlier and never read again: all values of a free slot, and the kept
+// impulses of a contact that has a place. Saves do not have these values; contact_tidy clears them for snapshots.
+#ifndef SAVED_CONTACTS_H
+#define SAVED_CONTACTS_H
+#include "stages/broad_phase/contact_slots.h"
+#include "stages/narrow_phase/narrow_phase.h"
+#include "stages/rules/rule.h"
+#include "stages/save/saved_manifold.h"
+#include "stages/save/saved_words.h"
+
+// Words of a contact: the pair, with bits of the code above the indices; flags; pose of the manifold; rotation, of which
+// the first word is the place of the rest, if there is one.
+#define SAVED_FLAGS    2
+#define SAVED_RELATIVE 3
+#define SAVED_AXES     7
+
+#define SAVED_PAIR_BITS 24 // number of bits of the index of a collidable
+#define SAVED_PAIR_MASK 0xffffffu
+_Static_assert(MAX_ITEMS <= 1 << SAVED_PAIR_BITS, "the index of a collidable has more bits");
+// The lower 8 bits of the code are above the first index, the upper 3 above the second one, then follow these bits.
+#define SAVED_FREE           0x08000000u // the slot is free
+#define SAVED_PLACED         0x10000000u // the contact has a place
+#define SAVED_AHEAD          0x20000000u // the manifold is predicted
+#define SAVED_CONTACT_RESTED 0x40000000u // the contact has words in the rest
+
+typedef struct // values of a contact, apart from those of its row
+{
+	int color;
+	Int2 bodies, feature;
+	float kept[5]; // normal and tangent impulses, rolling impulse
+	Vec normal;
+	Float4 on_a;
+	float separation1, separation2;
+	float reach, limit;
+	int press;
+	Float4 surface;
+} SavedContact;
+
+// Lists the values of a contact that are mostly as predicted. c: values; e: predictions.
+#define SAVED_CONTACT_VALUES(INT, NUMBER)         \
+	INT(c.color, e.color)                         \
+	INT(c.bodies.x, e.bodies.x)                   \
+	INT(c.bodies.y, e.bodies.y)                   \
+	INT(c.feature.x, e.feature.x)                 \
+	INT(c.feature.y, e.feature.y)                 \
+	NUMBER(c.kept[0], e.kept[0])                  \
+	NUMBER(c.kept[1], e.kept[1])                  \
+	NUMBER(c.kept[2], e.kept[2])                  \
+	NUMBER(c.kept[3], e.kept[3])                  \
+	NUMBER(c.kept[4], e.kept[4])                  \
+	NUMBER(c.normal.x, e.normal.x)                \
+	NUMBER(c.normal.y, e.normal.y)                \
+	NUMBER(c.on_a.x, e.on_a.x)                    \
+	NUMBER(c.on_a.y, e.on_a.y)                    \
+	NUMBER(c.on_a.z, e.on_a.z)                    \
+	NUMBER(c.on_a.w, e.on_a.w)                    \
+	NUMBER(c.separation1, e.separation1)          \
+	NUMBER(c.separation2, e.separation2)          \
+	NUMBER(c.reach, e.reach)                      \
+	NUMBER(c.limit, e.limit)                      \
+	INT(c.press, 0)                               \
+	NUMBER(c.surface.x, e.surface.x)              \
+	NUMBER(c.surface.y, e.surface.y)              \
+	NUMBER(c.surface.z, e.surface.z)              \
+	NUMBER(c.surface.w, e.surface.w)
+
+INLINE void saved_set_manifold(SavedContact* e, Manifold m)
+{
+	e->feature = make_int2(m.count > 0 ? m.feature[0] : -1, m.count > 1 ? m.feature[1] : -1);
+	e->normal = m.normal;
+	e->on_a = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
+	e->separation1 = m.separation[0];
+	e->separation2 = m.separation[1];
+}
+
+// Returns the values of a contact that follow from its pair, its flags and its code, apart from the manifold.
+INLINE SavedContact saved_expected(const Pools* p, Int2 pair, Word flags, int ahead)
+{
+	SavedContact e;
+	int body_a = p->collidable_body[pair.x], body_b = p->collidable_body[pair.y];
+	const GLOBAL Attribute* a = p->attribute + p->collidable_attribute[pair.x];
+	const GLOBAL Attribute* b = p->attribute + p->collidable_attribute[pair.y];
+	e.color = COLOR_NONE;
+	e.bodies = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
+	e.kept[0] = e.kept[1] = e.kept[2] = e.kept[3] = e.kept[4] = 0.0f;
+	e.press = 0;
+	e.reach = a->reach;
+	Real room = sweep_room(&p->step, p->collidable_flags[pair.x] | p->collidable_flags[pair.y]);
+	e.limit = ahead ? -1.0f : narrow_phase_distance(a, b, flags, 0.0f, room, 0.0f);
+	e.surface = contact_surface_of(a, b);
+	if (p->step.material_pairs > 0)
+		e.surface = rule_surface(rule_materials(p, pair.x, pair.y), e.surface);
+	saved_set_manifold(&e, no_manifold());
+	return e;
+}
+
+INLINE int saved_manifold_is(SavedContact a, SavedContact b)
+{
+	return float_word(a.normal.x) == float_word(b.normal.x) && float_word(a.normal.y) == float_word(b.normal.y) &&
+	       a.feature.x == b.feature.x && a.feature.y == b.feature.y &&
+	       float_word(a.separation1) == float_word(b.separation1) &&
+	       float_word(a.separation2) == float_word(b.separation2) && float_word(a.on_a.x) == float_word(b.on_a.x) &&
+	       float_word(a.on_a.y) == float_word(b.on_a.y) && float_word(a.on_a.z) == float_word(b.on_a.z) &&
+	       float_word(a.on_a.w) == float_word(b.on_a.w);
+}
+
+KERNEL(save_contact)
+{
+	GLOBAL Word* row = saved_row(p, contacts, i);
+	size_t by = saved_by(p, contacts);
+	Int2 pair = p->pair[i];
+	if (pair.x < 0)
+	{
+		row[by] = SAVED_FREE;
+		return;
+	}
+	Word flags = p->contact_flags[i];
+	LocalManifold manifold = p->contact_manifold[i];
+	const GLOBAL Attribute* a = p->attribute + p->collidable_attribute[pair.x];
+	const GLOBAL Attribute* b = p->attribute + p->collidable_attribute[pair.y];
+	int placed = p->contact_place[i] >= 0, ahead = manifold.then.w == -1.0f;
+	SavedContact c, e = saved_expected(p, pair, flags, ahead);
+	c.color = placed ? COLOR_NONE : p->contact_color[i];
+	c.bodies = p->contact_bodies[i];
+	c.feature = p->contact_feature[i];
+	for (int k = 0; k < 5; ++k)
+		c.kept[k] = 0.0f;
+	if (!placed)
+	{
+		ContactKept kept = p->contact_kept[i];
+		c.kept[0] = kept.normal_impulse1;
+		c.kept[1] = kept.normal_impulse2;
+		c.kept[2] = kept.tangent_impulse1;
+		c.kept[3] = kept.tangent_impulse2;
+		c.kept[4] = p->contact_rare_kept[i].rolling_impulse;
+	}
+	c.normal = vec(manifold.normal.x, manifold.normal.y);
+	c.on_a = manifold.on_a;
+	c.separation1 = manifold.normal.z;
+	c.separation2 = manifold.normal.w;
+	c.reach = manifold.then.z;
+	c.limit = manifold.then.w;
+	c.press = (int)p->contact_press[i];
+	c.surface = p->contact_surface[i];
+
+	Frame f = frame_at(vec(manifold.relative.x, manifold.relative.y), vec(manifold.relative.z, manifold.relative.w));
+	Word code = 0, mask = 0;
+	for (int k = 0;; ++k)
+	{
+		code = saved_code(a, b, (int)(flags & CONTACT_COUNT), c.feature, c.normal, k);
+		saved_set_manifold(&e, saved_manifold(a, b, f, code));
+		if ((code & SAVED_WAY) == SAVED_NO_POINTS || saved_manifold_is(c, e))
+			break;
+	}
+	int bit = 0;
+	SAVED_CONTACT_VALUES(SAVED_DIFFERS_INT, SAVED_DIFFERS_NUMBER)
+	Word traits = (code >> 8) << SAVED_PAIR_BITS | (placed ? SAVED_PLACED : 0u) | (ahead ? SAVED_AHEAD : 0u);
+	row[(SAVED_AXES) * by] = float_word(manifold.then.x);
+	if (mask != 0)
+	{
+		traits |= SAVED_CONTACT_RESTED;
+		GLOBAL Word* rest = saved_rest(p, mask, float_word(manifold.then.x), row + SAVED_AXES * by);
+		bit = 0;
+		if (rest)
+		{
+			SAVED_CONTACT_VALUES(SAVED_PUT_INT, SAVED_PUT_NUMBER)
+		}
+	}
+	row[0] = (Word)pair.x | code << SAVED_PAIR_BITS;
+	row[by] = (Word)pair.y | traits;
+	row[SAVED_FLAGS * by] = flags;
+	row[SAVED_RELATIVE * by] = float_word(manifold.relative.x);
+	row[(SAVED_RELATIVE + 1) * by] = float_word(manifold.relative.y);
+	row[(SAVED_RELATIVE + 2) * by] = float_word(manifold.relative.z);
+	row[(SAVED_RELATIVE + 3) * by] = float_word(manifold.relative.w);
+	row[(SAVED_AXES + 1) * by] = float_word(manifold.then.y);
+}
+
+// Clears a free slot.
+INLINE void contact_clear(const Pools* p, int i)
+{
+	item_clear(p, PER_CONTACT, i);
+	p->pair[i] = make_int2(-1, -1);
+	p->contact_color[i] = COLOR_NONE;
+	p->contact_place[i] = -1;
+}
+
+// Unpacks a contact without its place, which load_place sets afterwards.
+KERNEL(load_contact)
+{
+	const GLOBAL Word* row = saved_row(p, contacts, i);
+	size_t by = saved_by(p, contacts);
+	Word first = row[0], traits = row[by], mask = 0, axis = row[SAVED_AXES * by];
+	if (traits & SAVED_FREE)
+	{
+		contact_clear(p, i);
+		return;
+	}
+	const GLOBAL Word* rest = row;
+	if (traits & SAVED_CONTACT_RESTED)
+	{
+		rest = saved_rest_at(p, axis);
+		mask = rest[0];
+		axis = rest[1];
+		rest += 2;
+	}
+	Int2 pair = make_int2((int)(first & SAVED_PAIR_MASK), (int)(traits & SAVED_PAIR_MASK));
+	Word flags = row[SAVED_FLAGS * by], code = first >> SAVED_PAIR_BITS | (traits >> SAVED_PAIR_BITS & 7u) << 8;
+	const GLOBAL Attribute* a = p->attribute + p->collidable_attribute[pair.x];
+	const GLOBAL Attribute* b = p->attribute + p->collidable_attribute[pair.y];
+	LocalManifold manifold;
+	manifold.relative =
+	    make_float4(bits_float((int)row[SAVED_RELATIVE * by]), bits_float((int)row[(SAVED_RELATIVE + 1) * by]),
+	                bits_float((int)row[(SAVED_RELATIVE + 2) * by]), bits_float((int)row[(SAVED_RELATIVE + 3) * by]));
+	Frame f = frame_at(vec(manifold.relative.x, manifold.relative.y), vec(manifold.relative.z, manifold.relative.w));
+	SavedContact c, e = saved_expected(p, pair, flags, (traits & SAVED_AHEAD) != 0);
+	saved_set_manifold(&e, saved_manifold(a, b, f, code));
+	int bit = 0;
+	SAVED_CONTACT_VALUES(SAVED_TAKE_INT, SAVED_TAKE_NUMBER)
+
+	manifold.normal = make_float4(c.normal.x, c.normal.y, c.separation1, c.separation2);
+	manifold.on_a = c.on_a;
+	manifold.then = make_float4(bits_float((int)axis), bits_float((int)row[(SAVED_AXES + 1) * by]), c.reach, c.limit);
+	ContactKept kept;
+	ContactRareKept rare_kept;
+	kept.normal_impulse1 = c.kept[0];
+	kept.normal_impulse2 = c.kept[1];
+	kept.tangent_impulse1 = c.kept[2];
+	kept.tangent_impulse2 = c.kept[3];
+	rare_kept.rolling_impulse = c.kept[4];
+	p->pair[i] = pair;
+	p->contact_flags[i] = flags;
+	p->contact_color[i] = c.color;
+	p->contact_bodies[i] = c.bodies;
+	p->contact_place[i] = -1;
+	p->contact_kept[i] = kept;
+	p->contact_rare_kept[i] = rare_kept;
+	p->contact_feature[i] = c.feature;
+	p->contact_manifold[i] = manifold;
+	p->contact_press[i] = (Word)c.press;
+	p->contact_surface[i] = c.surface;
+}
+
+#endif

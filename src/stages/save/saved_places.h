@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// saved_places.h -- packs the impulses of contacts by their places into a save, and unpacks them; clears what no step or
+// read uses.
+#ifndef SAVED_PLACES_H
+#define SAVED_PLACES_H
+#include "stages/save/saved_contacts.h"
+
+// Words of a place: the slot of its contact and flags; the impulses, of which the first word is the place of the rest, if
+// there is one. Padding has no rest, and its second word is its second body.
+#define SAVED_SLOT_MASK    0x07ffffffu
+#define SAVED_PADDING      0x40000000u
+#define SAVED_PLACE_RESTED 0x80000000u
+_Static_assert(MAX_CONTACTS <= SAVED_SLOT_MASK + 1, "the index of a slot has more bits");
+
+// Lists the values of a place that are mostly 0.
+#define SAVED_PLACE_VALUES(NUMBER)                       \
+	NUMBER(contact_rare(p, rolling_impulse, i), 0.0f)    \
+	NUMBER(contact_rare(p, total_impulse1, i), 0.0f)     \
+	NUMBER(contact_rare(p, total_impulse2, i), 0.0f)     \
+	NUMBER(contact_rare(p, approach1, i), 0.0f)          \
+	NUMBER(contact_rare(p, approach2, i), 0.0f)
+
+KERNEL(save_place)
+{
+	GLOBAL Word* row = saved_row(p, places, i);
+	size_t by = saved_by(p, places);
+	int slot = p->contact_place_slot[i], bit = 0;
+	if (slot < 0)
+	{
+		row[0] = SAVED_PADDING;
+		row[by] = (Word)contact_row(p, body_b, i);
+		return;
+	}
+	Word name = (Word)slot, mask = 0, first = float_word(contact_row(p, normal_impulse1, i));
+	SAVED_PLACE_VALUES(SAVED_DIFFERS_NUMBER)
+	row[by] = first;
+	if (mask != 0)
+	{
+		name |= SAVED_PLACE_RESTED;
+		GLOBAL Word* rest = saved_rest(p, mask, first, row + by);
+		bit = 0;
+		if (rest)
+		{
+			SAVED_PLACE_VALUES(SAVED_PUT_NUMBER)
+		}
+	}
+	row[0] = name;
+	row[2 * by] = float_word(contact_row(p, normal_impulse2, i));
+	row[3 * by] = float_word(contact_row(p, tangent_impulse1, i));
+	row[4 * by] = float_word(contact_row(p, tangent_impulse2, i));
+}
+
+// Returns the color of a place.
+INLINE int saved_color(const Pools* p, int place)
+{
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_CONTACT];
+	int low = 0, high = COLORS;
+	while (low < high)
+	{
+		int middle = (low + high + 1) / 2;
+		if (layout->begin[middle] <= place)
+			low = middle;
+		else
+			high = middle - 1;
+	}
+	return low;
+}
+
+// Unpacks a place, after all contacts.
+KERNEL(load_place)
+{
+	const GLOBAL Word* row = saved_row(p, places, i);
+	size_t by = saved_by(p, places);
+	Word name = row[0], mask = 0, first = row[by];
+	if (name & SAVED_PADDING)
+	{
+		contact_pad(p, i);
+		contact_row(p, body_b, i) = (int)first;
+		p->contact_place_pair[i] = make_int2(0, 0);
+		return;
+	}
+	const GLOBAL Word* rest = row;
+	if (name & SAVED_PLACE_RESTED)
+	{
+		rest = saved_rest_at(p, first);
+		mask = rest[0];
+		first = rest[1];
+		rest += 2;
+	}
+	int slot = (int)(name & SAVED_SLOT_MASK), bit = 0;
+	Int2 bodies = p->contact_bodies[slot];
+	p->contact_place[slot] = i;
+	p->contact_color[slot] = saved_color(p, i);
+	p->contact_place_slot[i] = slot;
+	contact_row(p, body_a, i) = bodies.x;
+	contact_row(p, body_b, i) = bodies.y;
+	contact_set_place(p, slot, i);
+	contact_row(p, normal_impulse1, i) = bits_float((int)first);
+	contact_row(p, normal_impulse2, i) = bits_float((int)row[2 * by]);
+	contact_row(p, tangent_impulse1, i) = bits_float((int)row[3 * by]);
+	contact_row(p, tangent_impulse2, i) = bits_float((int)row[4 * by]);
+	SAVED_PLACE_VALUES(SAVED_TAKE_NUMBER)
+}
+
+// Clears the values of slot or place i that are left over from earlier and that nothing reads, so that snapshots do not
+// depend on them.
+KERNEL(contact_tidy)
+{
+	const GLOBAL Counters* c = p->counters;
+	if (i < c->contacts && p->pair[i].x < 0)
+		contact_clear(p, i);
+	else if (i < c->contacts && p->contact_place[i] >= 0)
+		contact_forget(p, i);
+	if (i < c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1] && p->contact_place_slot[i] < 0)
+		p->contact_place_pair[i] = make_int2(0, 0);
+}
+
+#endif

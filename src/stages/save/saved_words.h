@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// saved_words.h -- packs items into a save: words of fixed number, and the rest, words that differ from a prediction.
+//
+// An item has a row of words in the pool `saved`, and word k of all items of a part are adjacent, so that the work-items
+// of a GPU write adjacent words. Most other values of an item follow from the row, from other items, or are almost always
+// the same. Each is compared with a prediction, and those that differ are appended to the rest of the save, so that no
+// value is lost whatever it is. The rest of an item begins with a mask of its values. Its place stands in a word of the
+// row (which a flag of the row tells), whose own value follows the mask. The order of the rest depends on timing, and
+// nothing else does.
+#ifndef SAVED_WORDS_H
+#define SAVED_WORDS_H
+#include "dialect/dialect.h"
+#include "pools/pools.h"
+
+INLINE GLOBAL Word* saved_words(const Pools* p) { return (GLOBAL Word*)(p->saved + p->step.saved.first); }
+
+// Returns the first word of the row of item i of a part, and the distance of the words of a row.
+#define saved_row(p, part, i) (saved_words(p) + (p)->step.saved.part.at + (i))
+#define saved_by(p, part)     ((size_t)(p)->step.saved.part.count)
+
+// Reserves words of the rest for a value of a row and `mask`, of the values that differ. Returns the place of these
+// words, or null if there is no room; the host then repeats the save with more room.
+INLINE GLOBAL Word* saved_rest(const Pools* p, Word mask, Word value, GLOBAL Word* instead)
+{
+	int count = 2;
+	for (Word left = mask; left != 0; left &= left - 1)
+		++count;
+	int place = atomic_add_int((GLOBAL int*)saved_words(p), count);
+	if (place > p->step.saved.room - count)
+		return 0;
+	GLOBAL Word* rest = saved_words(p) + p->step.saved.rest + place;
+	rest[0] = mask;
+	rest[1] = value;
+	*instead = (Word)place;
+	return rest + 2;
+}
+
+INLINE const GLOBAL Word* saved_rest_at(const Pools* p, Word place)
+{
+	return saved_words(p) + p->step.saved.rest + place;
+}
+
+// The macros below process an entry (value, prediction) of a list of values: an int, or a number. Callers have declared
+// `mask`, `bit` and `rest`, and `bit` is 0 before a list.
+#define SAVED_DIFFERS_INT(value, expected)    mask |= (Word)((value) != (expected)) << bit++;
+#define SAVED_DIFFERS_NUMBER(value, expected) mask |= (Word)(float_word(value) != float_word(expected)) << bit++;
+#define SAVED_PUT_INT(value, expected) \
+	if (mask >> bit++ & 1u)            \
+		*rest++ = (Word)(value);
+#define SAVED_PUT_NUMBER(value, expected) \
+	if (mask >> bit++ & 1u)               \
+		*rest++ = float_word(value);
+#define SAVED_TAKE_INT(value, expected)    (value) = mask >> bit++ & 1u ? (int)*rest++ : (expected);
+#define SAVED_TAKE_NUMBER(value, expected) (value) = mask >> bit++ & 1u ? bits_float((int)*rest++) : (expected);
+
+#endif
