@@ -75,6 +75,22 @@ WIDE_INLINE void load_int2(const Int2* array, int i, Int* x, Int* y)
 	*y = SHUFFLE_ALL(low, high, EVERY_SECOND(1));
 }
 
+// Gathers pairs of floats, aligned to 8 bytes: *x and *y, lane k, are those of pair index[k].
+WIDE_INLINE void gather_pairs(const float* base, Int index, Real* x, Real* y)
+{
+	Word64 low[LANES / 2], high[LANES / 2];
+	for (int k = 0; k < LANES / 2; ++k)
+	{
+		memcpy(low + k, base + 2 * index[k], 8);
+		memcpy(high + k, base + 2 * index[k + LANES / 2], 8);
+	}
+	Real first, second;
+	memcpy(&first, low, sizeof first);
+	memcpy(&second, high, sizeof second);
+	*x = SHUFFLE_ALL(first, second, EVERY_SECOND(0));
+	*y = SHUFFLE_ALL(first, second, EVERY_SECOND(1));
+}
+
 // Loads the quads at base + at[j], base + at[j + 4], ... side by side.
 WIDE_INLINE Real quads_load(const float* base, Words at, int j)
 {

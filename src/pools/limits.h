@@ -48,6 +48,11 @@
 #define CHUNK_ITEMS       64   // number of items that a CPU worker claims at a time in broad phase and narrow phase
 #define MAX_CORNERS       8    // largest number of corners in the core of a shape
 
+// cosine: edges face each other if the product of their normals is below -FACING. Then a point's feature is two
+// corners, so that stacked boxes keep their features while one box slides over a corner; else a corner and an edge.
+#define FACING       0.9f
+#define FEATURE_EDGE MAX_CORNERS // feature index of a shape's first edge; smaller indices are corners
+
 #define LINEAR_SLOP          0.005f
 #define SPECULATIVE_DISTANCE 0.02f // m: contacts have points below this separation, before the surfaces meet
 

@@ -40,7 +40,7 @@ typedef struct // softness of a contact: factors of the bias pass. Source: Erin 
 } Softness;
 
 // Numbers of words of a save: before the parts, and of each item (src/stages/save/).
-#define SAVED_HEAD             4
+#define SAVED_HEAD             MAX_LANES
 #define SAVED_BODY_WORDS       17
 #define SAVED_COLLIDABLE_WORDS 6
 #define SAVED_CONTACT_WORDS    9

@@ -23,11 +23,6 @@
 // the normals of all other bodies near one place fit their positions.
 #define CENTERS_APART (0.0002f * LINEAR_SLOP)
 
-// cosine: edges face each other if the product of their normals is below -FACING. Then a point's feature is two
-// corners, so that stacked boxes keep their features while one box slides over a corner; else a corner and an edge.
-#define FACING       0.9f
-#define FEATURE_EDGE MAX_CORNERS // feature index of a shape's first edge; smaller indices are corners
-
 typedef struct // manifold in the frame of shape a
 {
 	Vec normal;         // unit vector from shape a to shape b
@@ -130,23 +125,8 @@ INLINE Reference reference_of(const GLOBAL Attribute* a, int i)
 	return r;
 }
 
-// Returns edge j of shape b, which leads against the direction of the reference edge.
-INLINE Edge edge_of_shape(const GLOBAL Attribute* b, int j, const Reference* r, Frame f)
-{
-	int j2 = shape_next(b, j);
-	Vec start = vec_sub(frame_point(f, shape_corner(b, j)), r->origin);
-	Vec end = vec_sub(frame_point(f, shape_corner(b, j2)), r->origin);
-	Edge incident;
-	incident.start = vec(vec_dot(start, r->right), vec_dot(start, r->up));
-	incident.end = vec(vec_dot(end, r->right), vec_dot(end, r->up));
-	incident.start_feature = j;
-	incident.end_feature = j2;
-	incident.feature = FEATURE_EDGE + j;
-	return incident;
-}
-
 // Returns the incident edge: of the two edges at shape b's deepest corner, the one that faces the reference edge more.
-// *facing: product of both normals, -1 for parallel edges.
+// It leads against the direction of the reference edge. *facing: product of both normals, -1 for parallel edges.
 INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference* r, Frame f, Real* facing)
 {
 	int j = corner, before = j > 0 ? j - 1 : b->count - 1;
@@ -158,7 +138,16 @@ INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference
 		*facing = facing_before;
 		j = before;
 	}
-	return edge_of_shape(b, j, r, f);
+	int j2 = shape_next(b, j);
+	Vec start = vec_sub(frame_point(f, shape_corner(b, j)), r->origin);
+	Vec end = vec_sub(frame_point(f, shape_corner(b, j2)), r->origin);
+	Edge incident;
+	incident.start = vec(vec_dot(start, r->right), vec_dot(start, r->up));
+	incident.end = vec(vec_dot(end, r->right), vec_dot(end, r->up));
+	incident.start_feature = j;
+	incident.end_feature = j2;
+	incident.feature = FEATURE_EDGE + j;
+	return incident;
 }
 
 // Returns a manifold of at most one point, in the middle between the surfaces, at the nearest points of both edges.
@@ -196,52 +185,6 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	return m;
 }
 
-typedef struct // incident edge, clipped to the length of the reference edge; coordinates as in Edge
-{
-	Vec high, low;
-	int overlap, cut_high, cut_low; // whether some of the edge is left; whether an end was cut off
-} Clip;
-
-INLINE Clip clip_edge(const Edge* incident, const Reference* r)
-{
-	Clip c;
-	c.high = incident->start;
-	c.low = incident->end;
-	c.overlap = c.high.x >= 0.0f && c.low.x <= r->length;
-	c.cut_high = c.overlap && c.high.x > r->length;
-	c.cut_low = c.overlap && c.low.x < 0.0f;
-	Vec along = vec_sub(c.low, c.high);
-	if (c.cut_high)
-		c.high = vec(r->length, c.high.y + quotient(c.high.x - r->length, -along.x) * along.y);
-	if (c.cut_low)
-		c.low = vec(0.0f, c.low.y + quotient(c.low.x, along.x) * -along.y);
-	return c;
-}
-
-// Returns the manifold of a clipped edge. within_high, within_low: maximum separations of its ends, m.
-INLINE Manifold clip_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, const Reference* r,
-                              const Edge* incident, const Clip* c, Real facing, Real within_high, Real within_low)
-{
-	Manifold m = no_manifold();
-	m.normal = r->up;
-	int steep = facing > -FACING, i = r->edge, j = incident->start_feature;
-	m.made = c->cut_high ? MANIFOLD_CORNER1 : 0;
-	manifold_add(&m, vec_add(r->origin, vec_scale(c->high.x, r->right)), c->high.y, a->radius, b->radius,
-	             feature_pair(steep && !c->cut_high ? FEATURE_EDGE + i : r->next,
-	                          steep && c->cut_high ? FEATURE_EDGE + j : j),
-	             within_high);
-	if (m.count == 0)
-		m.made = 0;
-	if (c->cut_low)
-		m.made |= m.count == 0 ? MANIFOLD_CORNER1 : MANIFOLD_CORNER2;
-	if (b->count > 1)
-		manifold_add(&m, vec_add(r->origin, vec_scale(c->low.x, r->right)), c->low.y, a->radius, b->radius,
-		             feature_pair(steep && !c->cut_low ? FEATURE_EDGE + i : i,
-		                          steep && c->cut_low ? FEATURE_EDGE + j : incident->end_feature),
-		             within_low);
-	return m;
-}
-
 // Returns the manifold of two shapes. axis: reference edge, in shape a. separation, m: largest along any edge's normal.
 INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
                               Reach reach)
@@ -249,13 +192,39 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	Reference r = reference_of(a, axis.edge);
 	Real facing;
 	Edge incident = incident_edge(b, axis.corner, &r, f, &facing);
-	Clip c = clip_edge(&incident, &r);
+
+	// clips the incident edge to the length of the reference edge
+	Vec high = incident.start, low = incident.end;
+	int overlap = high.x >= 0.0f && low.x <= r.length;
+	int cut_high = overlap && high.x > r.length, cut_low = overlap && low.x < 0.0f;
+	Vec along = vec_sub(low, high);
+	if (cut_high)
+		high = vec(r.length, high.y + quotient(high.x - r.length, -along.x) * along.y);
+	if (cut_low)
+		low = vec(0.0f, low.y + quotient(low.x, along.x) * -along.y);
 
 	// no clipped point is nearer to the edge than `separation`; if both are farther, a corner faces a corner
-	if (!c.overlap || minimum(c.high.y, c.low.y) > separation + NEAREST_TOLERANCE)
+	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)
 		return nearest_manifold(a, b, &r, incident, separation, reach);
-	Real within = reach_along(reach, r.up);
-	return clip_manifold(a, b, &r, &incident, &c, facing, within, within);
+
+	Manifold m = no_manifold();
+	m.normal = r.up;
+	int steep = facing > -FACING, i = r.edge, j = incident.start_feature;
+	Real within = reach_along(reach, m.normal);
+	m.made = cut_high ? MANIFOLD_CORNER1 : 0;
+	manifold_add(&m, vec_add(r.origin, vec_scale(high.x, r.right)), high.y, a->radius, b->radius,
+	             feature_pair(steep && !cut_high ? FEATURE_EDGE + i : r.next, steep && cut_high ? FEATURE_EDGE + j : j),
+	             within);
+	if (m.count == 0)
+		m.made = 0;
+	if (cut_low)
+		m.made |= m.count == 0 ? MANIFOLD_CORNER1 : MANIFOLD_CORNER2;
+	if (b->count > 1)
+		manifold_add(&m, vec_add(r.origin, vec_scale(low.x, r.right)), low.y, a->radius, b->radius,
+		             feature_pair(steep && !cut_low ? FEATURE_EDGE + i : i,
+		                          steep && cut_low ? FEATURE_EDGE + j : incident.end_feature),
+		             within);
+	return m;
 }
 
 // Returns the same manifold with the two shapes exchanged. f: pose of the old frame in the new one.

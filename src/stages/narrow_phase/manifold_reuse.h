@@ -13,6 +13,12 @@
 // manifold is kept only until a point has moved by narrow_phase_distance
 #define HOLD_COSINE 0.998f
 
+// Limits of the motion of a point up to which a manifold is kept. HOLD_DISTANCE, m: halved for a single point that does
+// not roll, so that no second point is missed. HOLD_SHARE: fraction of the smaller collidable's reach. With smaller
+// limits heaps shake: each new manifold pushes a small body that carries many others in another direction.
+#define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
+#define HOLD_SHARE    0.1f
+
 #define TURN_SHARE 0.3f // fraction of narrow_phase_distance up to which a pair that rotates together keeps its points
 
 // Returns an upper bound of the distance that any point of shape b within the reach of shape a has moved since shape b

@@ -14,12 +14,6 @@
 // gap exceeds the speculative distance. It is a quarter of the speculative distance, so that no contact is missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
-// Limits of the motion of a point up to which a manifold is kept. HOLD_DISTANCE, m: halved for a single point that does
-// not roll, so that no second point is missed. HOLD_SHARE: fraction of the smaller collidable's reach. With smaller
-// limits heaps shake: each new manifold pushes a small body that carries many others in another direction.
-#define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
-#define HOLD_SHARE    0.1f
-
 // Returns the index of the old point from which a new point inherits impulses: the point of the same feature, else the
 // nearest point within MATCH_DISTANCE, else -1. taken: mask of old points that are already used.
 INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,

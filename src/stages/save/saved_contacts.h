@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// saved_contacts.h -- packs the contacts of a world into a save, and unpacks them; saved_places.h has their impulses.
+// saved_contacts.h -- packs the contacts that saved_contact.h leaves out, and unpacks them; clears values without use.
 //
 // Some values of a contact are left over from earlier and never read again: all values of a free slot, and the kept
 // impulses of a contact that has a place. Saves do not have these values; contact_tidy clears them for snapshots.
@@ -8,23 +8,8 @@
 #include "stages/broad_phase/contact_slots.h"
 #include "stages/narrow_phase/narrow_phase.h"
 #include "stages/rules/rule.h"
+#include "stages/save/saved_contact.h"
 #include "stages/save/saved_manifold.h"
-#include "stages/save/saved_words.h"
-
-// Words of a contact: the pair, with bits of the code above the indices; flags; pose of the manifold; rotation, of which
-// the first word is the place of the rest, if there is one.
-#define SAVED_FLAGS    2
-#define SAVED_RELATIVE 3
-#define SAVED_AXES     7
-
-#define SAVED_PAIR_BITS 24 // number of bits of the index of a collidable
-#define SAVED_PAIR_MASK 0xffffffu
-_Static_assert(MAX_ITEMS <= 1 << SAVED_PAIR_BITS, "the index of a collidable has more bits");
-// The lower 8 bits of the code are above the first index, the upper 3 above the second one, then follow these bits.
-#define SAVED_FREE           0x08000000u // the slot is free
-#define SAVED_PLACED         0x10000000u // the contact has a place
-#define SAVED_AHEAD          0x20000000u // the manifold is predicted
-#define SAVED_CONTACT_RESTED 0x40000000u // the contact has words in the rest
 
 typedef struct // values of a contact, apart from those of its row
 {
@@ -107,20 +92,17 @@ INLINE int saved_manifold_is(SavedContact a, SavedContact b)
 	       float_word(a.on_a.w) == float_word(b.on_a.w);
 }
 
-KERNEL(save_contact)
+// Packs a contact that save_contact has left out.
+KERNEL(save_contact_odd)
 {
 	GLOBAL Word* row = saved_row(p, contacts, i);
 	size_t by = saved_by(p, contacts);
-	Int2 pair = p->pair[i];
-	if (pair.x < 0)
-	{
-		row[by] = SAVED_FREE;
+	if (row[by] != SAVED_ODD)
 		return;
-	}
+	Int2 pair = p->pair[i];
 	Word flags = p->contact_flags[i];
 	LocalManifold manifold = p->contact_manifold[i];
-	const GLOBAL Attribute* a = p->attribute + p->collidable_attribute[pair.x];
-	const GLOBAL Attribute* b = p->attribute + p->collidable_attribute[pair.y];
+	int a = p->collidable_attribute[pair.x], b = p->collidable_attribute[pair.y];
 	int placed = p->contact_place[i] >= 0, ahead = manifold.then.w == -1.0f;
 	SavedContact c, e = saved_expected(p, pair, flags, ahead);
 	c.color = placed ? COLOR_NONE : p->contact_color[i];
@@ -150,15 +132,15 @@ KERNEL(save_contact)
 	Word code = 0, mask = 0;
 	for (int k = 0;; ++k)
 	{
-		code = saved_code(a, b, (int)(flags & CONTACT_COUNT), c.feature, c.normal, k);
-		saved_set_manifold(&e, saved_manifold(a, b, f, code));
+		code = saved_code(p->attribute + a, p->attribute + b, (int)(flags & CONTACT_COUNT), c.feature, c.normal, k);
+		saved_set_manifold(&e, saved_manifold(p, a, b, f, code));
 		if ((code & SAVED_WAY) == SAVED_NO_POINTS || saved_manifold_is(c, e))
 			break;
 	}
 	int bit = 0;
 	SAVED_CONTACT_VALUES(SAVED_DIFFERS_INT, SAVED_DIFFERS_NUMBER)
-	Word traits = (code >> 8) << SAVED_PAIR_BITS | (placed ? SAVED_PLACED : 0u) | (ahead ? SAVED_AHEAD : 0u);
-	row[(SAVED_AXES) * by] = float_word(manifold.then.x);
+	Word traits = SAVED_ODD | (code >> 8) << SAVED_PAIR_BITS | (placed ? SAVED_PLACED : 0u) | (ahead ? SAVED_AHEAD : 0u);
+	row[SAVED_AXES * by] = float_word(manifold.then.x);
 	if (mask != 0)
 	{
 		traits |= SAVED_CONTACT_RESTED;
@@ -188,12 +170,14 @@ INLINE void contact_clear(const Pools* p, int i)
 	p->contact_place[i] = -1;
 }
 
-// Unpacks a contact without its place, which load_place sets afterwards.
-KERNEL(load_contact)
+// Unpacks a contact that save_contact has left out, or a free slot. load_place sets the place of the contact.
+KERNEL(load_contact_odd)
 {
 	const GLOBAL Word* row = saved_row(p, contacts, i);
 	size_t by = saved_by(p, contacts);
 	Word first = row[0], traits = row[by], mask = 0, axis = row[SAVED_AXES * by];
+	if (i >= p->counters->contacts || !(traits & (SAVED_FREE | SAVED_ODD)))
+		return;
 	if (traits & SAVED_FREE)
 	{
 		contact_clear(p, i);
@@ -209,15 +193,14 @@ KERNEL(load_contact)
 	}
 	Int2 pair = make_int2((int)(first & SAVED_PAIR_MASK), (int)(traits & SAVED_PAIR_MASK));
 	Word flags = row[SAVED_FLAGS * by], code = first >> SAVED_PAIR_BITS | (traits >> SAVED_PAIR_BITS & 7u) << 8;
-	const GLOBAL Attribute* a = p->attribute + p->collidable_attribute[pair.x];
-	const GLOBAL Attribute* b = p->attribute + p->collidable_attribute[pair.y];
+	int a = p->collidable_attribute[pair.x], b = p->collidable_attribute[pair.y];
 	LocalManifold manifold;
 	manifold.relative =
 	    make_float4(bits_float((int)row[SAVED_RELATIVE * by]), bits_float((int)row[(SAVED_RELATIVE + 1) * by]),
 	                bits_float((int)row[(SAVED_RELATIVE + 2) * by]), bits_float((int)row[(SAVED_RELATIVE + 3) * by]));
 	Frame f = frame_at(vec(manifold.relative.x, manifold.relative.y), vec(manifold.relative.z, manifold.relative.w));
 	SavedContact c, e = saved_expected(p, pair, flags, (traits & SAVED_AHEAD) != 0);
-	saved_set_manifold(&e, saved_manifold(a, b, f, code));
+	saved_set_manifold(&e, saved_manifold(p, a, b, f, code));
 	int bit = 0;
 	SAVED_CONTACT_VALUES(SAVED_TAKE_INT, SAVED_TAKE_NUMBER)
 

@@ -3,48 +3,43 @@
 //
 // A manifold depends on the two shapes, on the pose of one in the frame of the other, and on the largest separation of
 // its points. The save has the pose; the code has the edges and the points that collide has chosen. So the manifold is
-// computed as in the step, but without the search for the edges, which takes most of the time. Whoever makes a code
-// checks that the manifold has the same bits.
+// computed as in the step, but without the search for the edges, which takes most of the time. A save checks that the
+// manifold of a code has the same bits.
 #ifndef SAVED_MANIFOLD_H
 #define SAVED_MANIFOLD_H
 #include "stages/geometry/manifold.h"
-
-// Bits of a code.
-#define SAVED_WAY       3u // mask of SAVED_NO_POINTS and so on
-#define SAVED_NO_POINTS 0u // no points
-#define SAVED_EDGES     1u // the clipped edge `incident` of one shape on edge `reference` of the other
-#define SAVED_COLLIDE   2u // result of collide without a largest separation
-#define SAVED_SWAP      4u // the reference edge is that of shape b
-#define SAVED_HIGH      8u // the first end of the clipped edge is a point
-#define SAVED_LOW       16u
-#define SAVED_REFERENCE 5 // position of the number of the reference edge, 3 bits
-#define SAVED_INCIDENT  8 // position of that of the incident edge, 3 bits
-#define SAVED_CODE_BITS 11
+#include "stages/save/saved_codes.h"
+#include "stages/save/saved_edges.h"
 
 #define SAVED_ANY_GAP 1.0e30f // m: larger than any separation
 
-INLINE Manifold saved_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Word code)
+// Returns the manifold of a code. a, b: attributes of the shapes; f: pose of shape b in the frame of shape a.
+INLINE Manifold saved_manifold(const Pools* p, int a, int b, Frame f, Word code)
 {
 	if ((code & SAVED_WAY) == SAVED_NO_POINTS)
 		return no_manifold();
 	if ((code & SAVED_WAY) == SAVED_COLLIDE)
-		return collide(a, b, f, reach_of(SAVED_ANY_GAP));
-	const GLOBAL Attribute *reference = a, *incident = b;
-	Frame frame = f;
-	if (code & SAVED_SWAP)
+		return collide(p->attribute + a, p->attribute + b, f, reach_of(SAVED_ANY_GAP));
+	SavedEdges e;
+	saved_shapes(p, &e, a, b);
+	e.swap = (code & SAVED_SWAP) != 0;
+	e.edge = (int)(code >> SAVED_REFERENCE & 7u);
+	e.other = (int)(code >> SAVED_INCIDENT & 7u);
+	SavedEnds ends = saved_ends(p, e, f.position, f.rotation);
+	Manifold m = no_manifold();
+	int last = code & SAVED_HIGH ? 0 : 1;
+	m.count = code & SAVED_HIGH && code & SAVED_LOW ? 2 : 1;
+	m.normal = ends.normal;
+	m.point[0] = last ? ends.point[1] : ends.point[0];
+	m.separation[0] = last ? ends.separation[1] : ends.separation[0];
+	m.feature[0] = last ? ends.feature[1] : ends.feature[0];
+	if (m.count == 2)
 	{
-		reference = b;
-		incident = a;
-		frame = frame_inverse(f);
+		m.point[1] = ends.point[1];
+		m.separation[1] = ends.separation[1];
+		m.feature[1] = ends.feature[1];
 	}
-	int j = (int)(code >> SAVED_INCIDENT & 7u);
-	Reference r = reference_of(reference, (int)(code >> SAVED_REFERENCE & 7u));
-	Edge edge = edge_of_shape(incident, j, &r, frame);
-	Clip c = clip_edge(&edge, &r);
-	Real facing = vec_dot(vec_turn_back(frame.rotation, r.up), shape_normal(incident, j));
-	Manifold m = clip_manifold(reference, incident, &r, &edge, &c, facing, code & SAVED_HIGH ? SAVED_ANY_GAP : -SAVED_ANY_GAP,
-	                           code & SAVED_LOW ? SAVED_ANY_GAP : -SAVED_ANY_GAP);
-	return code & SAVED_SWAP ? manifold_swap(m, f) : m;
+	return m;
 }
 
 // Returns the edge that ends at a corner, or the edge itself. feature: index of a corner, or FEATURE_EDGE plus an edge.

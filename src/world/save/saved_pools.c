@@ -77,7 +77,7 @@ int64_t saved_pools_count(const scree_world* world, bool structure, int counts[P
 	}
 	for (int t = 0; t < 2 && !structure; ++t)
 		sum += units(sizeof(int), world->pipeline.trees[t].tree.leaves);
-	return sum;
+	return (sum + ALIGNED - 1) / ALIGNED * ALIGNED;
 }
 
 // Returns the number of items that may differ from those of a new world. Places of contacts keep those of earlier layouts,
@@ -120,10 +120,11 @@ scree_status saved_pools_reserve(scree_world* world, const int counts[POOL_COUNT
 	return SCREE_OK;
 }
 
+// Adds a part. Items are padded, so that the words of MAX_LANES items are aligned.
 static SavedPart part(int* at, int words, int count)
 {
-	SavedPart made = {*at, count};
-	*at += words * count;
+	SavedPart made = {*at, (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES};
+	*at += words * made.count;
 	return made;
 }
 
@@ -140,24 +141,31 @@ int64_t saved_words_count(const scree_world* world, int first, SavedLayout* layo
 	return at;
 }
 
-scree_status saved_words_run(const scree_world* world, const SavedLayout* layout, int material_pairs, bool back)
+scree_status saved_words_run(const scree_world* world, const Save* save, bool back)
 {
 #ifdef SCREE_SMALL // the package for WebAssembly has no saves
-	(void)world, (void)layout, (void)material_pairs, (void)back;
+	(void)world, (void)save, (void)back;
 	return SCREE_OK;
 #else
 	// these constants do not depend on the world, so that the predictions of a load are those of the save
-	const Step step = {.small = 1, .material_pairs = material_pairs, .saved = *layout};
-	const SavedPart parts[] = {layout->bodies, layout->collidables, layout->contacts, layout->places};
-	static const int kernels[][2] = {{KERNEL_save_body, KERNEL_load_body},
-	                                 {KERNEL_save_collidable, KERNEL_load_collidable},
-	                                 {KERNEL_save_contact, KERNEL_load_contact},
-	                                 {KERNEL_save_place, KERNEL_load_place}};
-	Run runs[sizeof parts / sizeof *parts];
+	const Step step = {.small = 1, .material_pairs = save->material_pairs, .saved = save->layout};
+	// in the order in which items follow from others
+	static const struct
+	{
+		PoolId items;
+		int save, load;
+	} kernels[] = {{POOL_pose, KERNEL_save_body, KERNEL_load_body},
+	               {POOL_box, KERNEL_save_collidable, KERNEL_load_collidable},
+	               {POOL_pair, KERNEL_save_contact, KERNEL_load_contact},
+	               {POOL_pair, KERNEL_save_contact_odd, KERNEL_load_contact_odd},
+	               {POOL_contact_place_slot, KERNEL_save_place, KERNEL_load_place}};
+	Run runs[sizeof kernels / sizeof *kernels];
 	int count = 0;
-	for (size_t k = 0; k < sizeof parts / sizeof *parts; ++k)
-		if (parts[k].count > 0)
-			runs[count++] = (Run){.kernel_id = kernels[k][back], .end = parts[k].count, .count = NO_COUNT};
+	for (size_t k = 0; k < sizeof kernels / sizeof *kernels; ++k)
+		if (save->counts[kernels[k].items] > 0)
+			runs[count++] = (Run){.kernel_id = back ? kernels[k].load : kernels[k].save,
+			                      .end = save->counts[kernels[k].items],
+			                      .count = NO_COUNT};
 	return world->backend->f->run(world->backend, &step, runs, count);
 #endif
 }

@@ -4,6 +4,9 @@
 #define SAVED_POOLS_H
 #include "world/world.h"
 
+// Ranges begin at a multiple of this number of items of the pool `saved`, so that wide kernels can store MAX_LANES words.
+#define ALIGNED (MAX_LANES * (int)sizeof(Word) / (int)sizeof(Float4))
+
 // Sets the number of items of each pool that a save contains: of the structure, or of the data that steps change, which
 // include the leaves of trees. Returns the number of items of the pool `saved` for them.
 int64_t saved_pools_count(const scree_world* world, bool structure, int counts[POOL_COUNT]);
@@ -16,9 +19,8 @@ scree_status saved_pools_copy(scree_world* world, bool structure, SavedRange ran
 // (src/stages/save/saved_words.h). Returns the number of words before the rest.
 int64_t saved_words_count(const scree_world* world, int first, SavedLayout* layout);
 
-// Packs the items of a save, or unpacks them after all copies of pools. material_pairs: number of pairs of materials at the
-// time of the save.
-scree_status saved_words_run(const scree_world* world, const SavedLayout* layout, int material_pairs, bool back);
+// Packs the items of a save, or unpacks them after all copies of pools.
+scree_status saved_words_run(const scree_world* world, const Save* save, bool back);
 
 // Enlarges the pools of a world for saved items.
 scree_status saved_pools_reserve(scree_world* world, const int counts[POOL_COUNT]);

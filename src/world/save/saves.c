@@ -50,7 +50,7 @@ static scree_status find_range(scree_world* world, const char* function, int64_t
 	const SaveList* list = world->saves.list;
 	if (count <= range->count)
 		return SCREE_OK;
-	count += count / SPARE;
+	count = (count + count / SPARE + ALIGNED - 1) / ALIGNED * ALIGNED;
 	int64_t lowest = INT32_MAX;
 	for (int k = -1; k < SAVE_SLOTS + STRUCTURES; ++k)
 	{
@@ -117,7 +117,7 @@ static scree_status pack(scree_world* world, const char* function, Save* save)
 		saved_words_count(world, save->range.first + (int)copied, &save->layout);
 		save->layout.room = (int)(4 * (save->range.count - copied) - words);
 		TRY(world_note(world, b->f->clear(b, POOL_saved, save->layout.first, 1)));
-		TRY(world_note(world, saved_words_run(world, &save->layout, save->material_pairs, false)));
+		TRY(world_note(world, saved_words_run(world, save, false)));
 		TRY(world_note(world, b->f->read(b, POOL_saved, save->layout.first, 1, rest)));
 		room = world->saves.rest = rest[0];
 		if (room <= save->layout.room)
@@ -170,7 +170,7 @@ static scree_status load_all(scree_world* world, const Save* save, HostLoad* hos
 	if (status == SCREE_OK)
 		status = saved_pools_copy(world, false, save->range, save->counts, save->leaves, true);
 	if (status == SCREE_OK)
-		status = saved_words_run(world, &save->layout, save->material_pairs, true);
+		status = saved_words_run(world, save, true);
 	if (status == SCREE_OK)
 	{
 		saved_host_read(host);

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// saved_contact.h -- packs the contacts of a world into a save, and unpacks them; saved_places.h has their impulses.
+//
+// Most contacts have two points, a place, and no value that differs from its prediction. The kernels of this file process
+// these, several at once; those of saved_contacts.h the others.
+#ifndef SAVED_CONTACT_H
+#define SAVED_CONTACT_H
+#include "stages/narrow_phase/manifold_reuse.h"
+#include "stages/save/saved_codes.h"
+#include "stages/save/saved_edges.h"
+#include "stages/save/saved_words.h"
+
+// Words of a contact: the pair, with bits of the code above the indices; flags; pose of the manifold; rotation, of which
+// the first word is the place of the rest, if there is one.
+#define SAVED_FLAGS    2
+#define SAVED_RELATIVE 3
+#define SAVED_AXES     7
+
+#define SAVED_PAIR_BITS 24 // number of bits of the index of a collidable
+#define SAVED_PAIR_MASK 0xffffffu
+_Static_assert(MAX_ITEMS <= 1 << SAVED_PAIR_BITS, "the index of a collidable has more bits");
+// The lower 8 bits of the code are above the first index, the upper 3 above the second one, then follow these bits.
+#define SAVED_FREE           0x08000000u // the slot is free
+#define SAVED_PLACED         0x10000000u // the contact has a place
+#define SAVED_AHEAD          0x20000000u // the manifold is predicted
+#define SAVED_CONTACT_RESTED 0x40000000u // the contact has words in the rest
+#define SAVED_ODD            0x80000000u // save_contact has left the contact out
+
+// Returns friction, restitution, rolling lever and tangent speed of two shapes, as contact_surface_of does.
+INLINE void saved_surface(const Real a[8], const Real b[8], Real surface[4])
+{
+	Real friction = root(a[TRAIT_FRICTION] * b[TRAIT_FRICTION]), most = splat(MOST_FRICTION);
+	surface[0] = blend(most, friction, friction < most);
+	surface[1] = maximum(a[TRAIT_RESTITUTION], b[TRAIT_RESTITUTION]);
+	surface[2] = maximum(a[TRAIT_ROLLING], b[TRAIT_ROLLING]) * maximum(a[TRAIT_RADIUS], b[TRAIT_RADIUS]);
+	surface[3] = a[TRAIT_SPEED] + b[TRAIT_SPEED];
+}
+
+// Returns the index of the body of a collidable, 0 for none.
+INLINE Int saved_body(const Pools* p, Int collidable)
+{
+	Int body = gather_int(p->collidable_body, collidable);
+	return body & ~(body >> 31);
+}
+
+// m: Returns the motion up to which a manifold of two points is kept, as narrow_phase_distance does; -1 if `ahead`.
+INLINE Real saved_limit(const Pools* p, Int ia, Int ib, const SavedEdges* e, Int ahead)
+{
+	Real reach = minimum(e->at_a[TRAIT_REACH], e->at_b[TRAIT_REACH]);
+	Real room = sweep_room(&p->step, gather_int(p->collidable_flags, ia) | gather_int(p->collidable_flags, ib));
+	return blend(minimum(HOLD_DISTANCE * room, HOLD_SHARE * reach), splat(-1.0f), ahead);
+}
+
+INLINE Int saved_same(Real a, Real b) { return real_bits(a) == real_bits(b); }
+
+WIDE_KERNEL(save_contact)
+{
+	GLOBAL Word* row = saved_row(p, contacts, i);
+	size_t by = saved_by(p, contacts);
+	Int ia, ib, body_a, body_b, feature1, feature2;
+	load_int2(p->pair, i, &ia, &ib);
+	load_int2(p->contact_bodies, i, &body_a, &body_b);
+	load_int2(p->contact_feature, i, &feature1, &feature2);
+	Int there = (ia >= 0) & (indices(i) < p->counters->contacts), zero = ia & 0;
+	ia = blend_int(zero, ia, there);
+	ib = blend_int(zero, ib, there);
+	Int a = gather_int(p->collidable_attribute, ia), b = gather_int(p->collidable_attribute, ib);
+	Real m[16], surface[4], expected[4];
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i), m);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i) + 1, m + 8);
+	load_rows4((GLOBAL float*)p->contact_surface, i, surface);
+	SavedEdges e;
+	saved_shapes(p, &e, a, b);
+	saved_surface(e.at_a, e.at_b, expected);
+	Int flags = load_int((const GLOBAL int*)p->contact_flags, i), press = load_int((const GLOBAL int*)p->contact_press, i);
+	Int ahead = saved_same(m[15], splat(-1.0f));
+
+	// the edges follow from the features of the points; the normal is that of the reference edge, if it is in shape a
+	e.edge = feature2 >> 8 & 7;
+	Vec edge = saved_vec(p, a, e.edge + MAX_CORNERS);
+	e.swap = (saved_same(edge.x, m[0]) & saved_same(edge.y, m[1])) == 0;
+	e.edge = blend_int(e.edge, feature2 & 7, e.swap);
+	e.other = blend_int(feature1, feature1 >> 8, e.swap) & 7;
+	SavedEnds ends = saved_ends(p, e, vec(m[8], m[9]), vec(m[10], m[11]));
+	Int alike = there & (load_int(p->contact_place, i) >= 0) & (press == 0) & ((flags & (int)CONTACT_COUNT) == 2) &
+	            ((flags & (int)CONTACT_DETECTED) == 0) & (body_a == saved_body(p, ia)) & (body_b == saved_body(p, ib));
+	alike = alike & saved_same(m[0], ends.normal.x) & saved_same(m[1], ends.normal.y);
+	alike = alike & (feature1 == ends.feature[0]) & (feature2 == ends.feature[1]);
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+		alike = alike & saved_same(m[2 + k], ends.separation[k]) & saved_same(m[4 + 2 * k], ends.point[k].x) &
+		        saved_same(m[5 + 2 * k], ends.point[k].y);
+	UNROLL
+	for (int k = 0; k < 4; ++k)
+		alike = alike & saved_same(surface[k], expected[k]);
+	alike = alike & saved_same(m[14], e.at_a[TRAIT_REACH]) &
+	        saved_same(m[15], saved_limit(p, ia, ib, &e, ahead));
+	alike = p->step.material_pairs > 0 ? zero : alike;
+
+	Int code = blend_int(zero, zero + (int)SAVED_SWAP, e.swap) | shifted(e.edge, SAVED_REFERENCE) |
+	           (int)(SAVED_EDGES | SAVED_HIGH | SAVED_LOW);
+	Int traits = ib | shifted(e.other, SAVED_PAIR_BITS) | (int)SAVED_PLACED | blend_int(zero, zero + (int)SAVED_AHEAD, ahead);
+	traits = blend_int(blend_int(zero + (int)SAVED_FREE, zero + (int)SAVED_ODD, there), traits, alike);
+	store_int((GLOBAL int*)row, 0, ia | shifted(code, SAVED_PAIR_BITS));
+	store_int((GLOBAL int*)row + by, 0, traits);
+	store_int((GLOBAL int*)row + SAVED_FLAGS * by, 0, flags);
+	UNROLL
+	for (int k = 0; k < 6; ++k)
+		store((GLOBAL float*)row + (SAVED_RELATIVE + k) * by, 0, m[8 + k]);
+}
+
+// Unpacks a contact without its place, which load_place sets afterwards.
+WIDE_KERNEL(load_contact)
+{
+	const GLOBAL int* row = (const GLOBAL int*)saved_row(p, contacts, i);
+	size_t by = saved_by(p, contacts);
+	Int first = load_int(row, 0), traits = load_int(row + by, 0), flags = load_int(row + SAVED_FLAGS * by, 0);
+	Int alike = (traits & (int)(SAVED_FREE | SAVED_ODD)) == 0;
+	Word lanes = lane_bits(alike);
+	if (lanes == 0)
+		return;
+	Int zero = first & 0, ia = blend_int(zero, first & (int)SAVED_PAIR_MASK, alike);
+	Int ib = blend_int(zero, traits & (int)SAVED_PAIR_MASK, alike), code = first >> SAVED_PAIR_BITS;
+	Int a = gather_int(p->collidable_attribute, ia), b = gather_int(p->collidable_attribute, ib);
+	Int body_a = saved_body(p, ia), body_b = saved_body(p, ib);
+	Real m[16], surface[4];
+	UNROLL
+	for (int k = 0; k < 6; ++k)
+		m[8 + k] = load((const GLOBAL float*)row + (SAVED_RELATIVE + k) * by, 0);
+	SavedEdges e;
+	saved_shapes(p, &e, a, b);
+	e.swap = (code & (int)SAVED_SWAP) != 0;
+	e.edge = code >> SAVED_REFERENCE & 7;
+	e.other = traits >> SAVED_PAIR_BITS & 7;
+	SavedEnds ends = saved_ends(p, e, vec(m[8], m[9]), vec(m[10], m[11]));
+	m[0] = ends.normal.x;
+	m[1] = ends.normal.y;
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+	{
+		m[2 + k] = ends.separation[k];
+		m[4 + 2 * k] = ends.point[k].x;
+		m[5 + 2 * k] = ends.point[k].y;
+	}
+	m[14] = e.at_a[TRAIT_REACH];
+	m[15] = saved_limit(p, ia, ib, &e, (traits & (int)SAVED_AHEAD) != 0);
+	saved_surface(e.at_a, e.at_b, surface);
+	UNROLL
+	for (int k = 0; k < 4; ++k)
+		scatter_rows4of8((GLOBAL float*)p->contact_manifold + 4 * k, 2 * indices(i), m + 4 * k, alike);
+	for (int k = 0; lanes >> k != 0; ++k)
+	{
+		if (!(lanes >> k & 1))
+			continue;
+		const ContactKept none = {0};
+		const ContactRareKept rare_none = {0};
+		p->pair[i + k] = make_int2(lane(ia, k), lane(ib, k));
+		p->contact_flags[i + k] = (Word)lane(flags, k);
+		p->contact_color[i + k] = COLOR_NONE;
+		p->contact_bodies[i + k] = make_int2(lane(body_a, k), lane(body_b, k));
+		p->contact_place[i + k] = -1;
+		p->contact_kept[i + k] = none;
+		p->contact_rare_kept[i + k] = rare_none;
+		p->contact_feature[i + k] = make_int2(lane(ends.feature[0], k), lane(ends.feature[1], k));
+		p->contact_press[i + k] = 0;
+		p->contact_surface[i + k] = make_float4(lane(surface[0], k), lane(surface[1], k), lane(surface[2], k), lane(surface[3], k));
+	}
+}
+
+#endif
