@@ -24,15 +24,18 @@ WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
 #define EACH_QUAD(a, b, c, d) a, b, c, d
 #define EVERY_SECOND(k)       TWO_QUADS(k)
 #define EACH_LANE(f)          FOUR_LANES(f, 0)
+#define EACH_HALF(f)          f(0), f(1)
 #elif LANES == 8
 #define EACH_QUAD(a, b, c, d) a, b, c, d, a + 4, b + 4, c + 4, d + 4
 #define EVERY_SECOND(k)       TWO_QUADS(k), TWO_QUADS(k + 8)
 #define EACH_LANE(f)          FOUR_LANES(f, 0), FOUR_LANES(f, 4)
+#define EACH_HALF(f)          FOUR_LANES(f, 0)
 #else
 #define EACH_QUAD(a, b, c, d) \
 	a, b, c, d, a + 4, b + 4, c + 4, d + 4, a + 8, b + 8, c + 8, d + 8, a + 12, b + 12, c + 12, d + 12
 #define EVERY_SECOND(k) TWO_QUADS(k), TWO_QUADS(k + 8), TWO_QUADS(k + 16), TWO_QUADS(k + 24)
 #define EACH_LANE(f)    FOUR_LANES(f, 0), FOUR_LANES(f, 4), FOUR_LANES(f, 8), FOUR_LANES(f, 12)
+#define EACH_HALF(f)    FOUR_LANES(f, 0), FOUR_LANES(f, 4)
 #endif
 
 WIDE_INLINE Int indices(int i)
@@ -76,20 +79,23 @@ WIDE_INLINE void load_int2(const Int2* array, int i, Int* x, Int* y)
 }
 
 // Gathers pairs of floats, aligned to 8 bytes: *x and *y, lane k, are those of pair index[k].
+typedef Word64 Pairs __attribute__((vector_size(4 * LANES)));
+WIDE_INLINE Word64 pair_at(const float* base, int index)
+{
+	Word64 pair;
+	memcpy(&pair, base + 2 * (size_t)index, sizeof pair);
+	return pair;
+}
+#define LOW(k)  pair_at(base, index[k])
+#define HIGH(k) pair_at(base, index[k + LANES / 2])
 WIDE_INLINE void gather_pairs(const float* base, Int index, Real* x, Real* y)
 {
-	Word64 low[LANES / 2], high[LANES / 2];
-	for (int k = 0; k < LANES / 2; ++k)
-	{
-		memcpy(low + k, base + 2 * index[k], 8);
-		memcpy(high + k, base + 2 * index[k + LANES / 2], 8);
-	}
-	Real first, second;
-	memcpy(&first, low, sizeof first);
-	memcpy(&second, high, sizeof second);
-	*x = SHUFFLE_ALL(first, second, EVERY_SECOND(0));
-	*y = SHUFFLE_ALL(first, second, EVERY_SECOND(1));
+	Real low = (Real)(Pairs){EACH_HALF(LOW)}, high = (Real)(Pairs){EACH_HALF(HIGH)};
+	*x = SHUFFLE_ALL(low, high, EVERY_SECOND(0));
+	*y = SHUFFLE_ALL(low, high, EVERY_SECOND(1));
 }
+#undef LOW
+#undef HIGH
 
 // Loads the quads at base + at[j], base + at[j + 4], ... side by side.
 WIDE_INLINE Real quads_load(const float* base, Words at, int j)
@@ -275,5 +281,6 @@ WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int 
 #undef EVERY_SECOND
 #undef FOUR_LANES
 #undef EACH_LANE
+#undef EACH_HALF
 #undef WIDE_INLINE
 #endif

@@ -73,7 +73,8 @@ INLINE SavedContact saved_expected(const Pools* p, Int2 pair, Word flags, int ah
 	e.kept[0] = e.kept[1] = e.kept[2] = e.kept[3] = e.kept[4] = 0.0f;
 	e.press = 0;
 	e.reach = a->reach;
-	Real room = sweep_room(&p->step, p->collidable_flags[pair.x] | p->collidable_flags[pair.y]);
+	int moved = p->collidable_flags[pair.x] | p->collidable_flags[pair.y];
+	Real room = moved & COLLIDABLE_GRAINS ? sweep_room(&p->step, moved) : 1.0f;
 	e.limit = ahead ? -1.0f : narrow_phase_distance(a, b, flags, 0.0f, room, 0.0f);
 	e.surface = contact_surface_of(a, b);
 	if (p->step.material_pairs > 0)

@@ -50,20 +50,14 @@ KERNEL(save_place)
 	row[4 * by] = float_word(contact_row(p, tangent_impulse2, i));
 }
 
-// Returns the color of a place.
+// Returns the color of a place: the last color that begins at this place or before it.
 INLINE int saved_color(const Pools* p, int place)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_CONTACT];
-	int low = 0, high = COLORS;
-	while (low < high)
-	{
-		int middle = (low + high + 1) / 2;
-		if (layout->begin[middle] <= place)
-			low = middle;
-		else
-			high = middle - 1;
-	}
-	return low;
+	int color = 0;
+	for (int step = (COLORS + 1) / 2; step > 0; step /= 2)
+		color += layout->begin[color + step] <= place ? step : 0;
+	return color;
 }
 
 // Unpacks a place, after all contacts.
