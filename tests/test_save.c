@@ -139,6 +139,42 @@ static void paths_end_between_saves(void** state)
 	scree_world_destroy(world);
 }
 
+// A save of a pyramid has at most 100 bytes for each body and 60 bytes for each touching contact, on every device.
+static void saves_are_small(void** state)
+{
+	(void)state;
+	const SceneSetting settings[] = {{"rows", quick() ? "60" : "100"}, {NULL, NULL}};
+	Scene* scene = load_scene("pyramid", settings);
+	for (int device = 0; device < 2 && (device == 0 || second_device[0]); ++device)
+	{
+		scree_world_def def = scene->world;
+		def.device = device ? second_device : "cpu";
+		scree_world* world;
+		OK(scree_world_create(&def, &world));
+		build_scene(world, scene);
+		uint64_t bytes;
+		OK(scree_world_get_save_bytes(world, 7, &bytes));
+		assert_int_equal(bytes, 0);
+		for (int step = 0; step < 20; ++step)
+		{
+			OK(scree_world_step(world, scene->dt, scene->substeps));
+			OK(scree_world_save(world, 7));
+			scree_counters counters;
+			OK(scree_world_get_counters(world, &counters));
+			OK(scree_world_get_save_bytes(world, 7, &bytes));
+			uint64_t most = 100 * (uint64_t)counters.bodies + 60 * (uint64_t)counters.touching;
+			if (step >= 5 && bytes > most)
+				fail_msg("step %d: %llu bytes, must be at most %llu", step, (unsigned long long)bytes,
+				         (unsigned long long)most);
+		}
+		OK(scree_world_discard(world, 7));
+		OK(scree_world_get_save_bytes(world, 7, &bytes));
+		assert_int_equal(bytes, 0);
+		scree_world_destroy(world);
+	}
+	scene_free(scene);
+}
+
 static void refused(scree_status status, const char* sentence)
 {
 	assert_int_equal(status, SCREE_ERROR_INVALID);
@@ -158,6 +194,10 @@ static void bad_numbers_are_refused(void** state)
 	OK(scree_world_discard(world, 5));
 	OK(scree_world_discard(world, 5));
 	refused(scree_world_load(world, 5), "scree_world_load: the world has no save 5");
+	uint64_t bytes;
+	refused(scree_world_get_save_bytes(world, 64, &bytes),
+	        "scree_world_get_save_bytes: save is 64, must be from 0 to 63");
+	refused(scree_world_get_save_bytes(world, 0, NULL), "scree_world_get_save_bytes: bytes is null");
 	refused(scree_world_save(NULL, 0), "scree_world_save: world is null");
 	scree_world_destroy(world);
 }
@@ -207,6 +247,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(scenes_roll_back),        cmocka_unit_test(structure_comes_back),
 	    cmocka_unit_test(paths_end_between_saves), cmocka_unit_test(bad_numbers_are_refused),
+	    cmocka_unit_test(scenes_roll_back), cmocka_unit_test(structure_comes_back),
+	    cmocka_unit_test(saves_are_small),  cmocka_unit_test(bad_numbers_are_refused),
 	    cmocka_unit_test(memory_runs_out),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);

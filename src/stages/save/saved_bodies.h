@@ -20,36 +20,36 @@
 
 // Lists the values of a body that are mostly as predicted. counts: word SAVED_COUNTS; origin: pose as the user may have
 // read it. Sleep comes first, because the predictions of other values depend on it.
-#define SAVED_BODY_VALUES(INT, NUMBER)                                                 \
-	INT(p->sleep[i], 0)                                                                \
-	NUMBER(p->motion[i].free_x, p->sleep[i] == 0 && moves ? 1.0f : 0.0f)               \
-	NUMBER(p->motion[i].free_y, p->sleep[i] == 0 && moves ? 1.0f : 0.0f)               \
-	NUMBER(p->motion[i].fx, 0.0f)                                                      \
-	NUMBER(p->motion[i].fy, 0.0f)                                                      \
-	NUMBER(p->motion[i].torque, 0.0f)                                                  \
-	INT(p->touching[i], (int)(counts & 255u))                                          \
-	INT(p->other_contacts[i], (int)(counts >> SAVED_OTHER & 255u))                     \
-	INT(p->fixed_contacts[i], (int)(counts >> SAVED_FIXED & (Word)SAVED_FIXED_MASK))   \
-	INT(p->belts[i], 0)                                                                \
-	INT(p->press[i].way[0], 0)                                                         \
-	INT(p->press[i].way[1], 0)                                                         \
-	INT(p->press[i].depth, 0)                                                          \
-	INT(p->press[i].speed, 0)                                                          \
-	INT(p->press[i].left, 0)                                                           \
-	INT(p->press[i].tight, 0)                                                          \
-	NUMBER(p->press[i].before, 0.0f)                                                   \
-	NUMBER(p->press[i].spun, 0.0f)                                                     \
-	INT(p->wake[i], 0)                                                                 \
-	INT(p->hub[i], 0)                                                                  \
-	INT(p->hub_colors[i], 0)                                                           \
-	INT(p->hub_keys[i].x, 0)                                                           \
-	INT(p->hub_keys[i].y, 0)                                                           \
-	INT(p->claim0[i], 0)                                                               \
-	INT(p->claim1[i], 0)                                                               \
-	NUMBER(p->reported_pose[i].x, origin.x)                                            \
-	NUMBER(p->reported_pose[i].y, origin.y)                                            \
-	NUMBER(p->reported_pose[i].z, origin.z)                                            \
-	NUMBER(p->reported_pose[i].w, origin.w)                                            \
+#define SAVED_BODY_VALUES(INT, NUMBER)                                               \
+	INT(p->sleep[i], 0)                                                              \
+	NUMBER(p->motion[i].free_x, p->sleep[i] == 0 && moves ? 1.0f : 0.0f)             \
+	NUMBER(p->motion[i].free_y, p->sleep[i] == 0 && moves ? 1.0f : 0.0f)             \
+	NUMBER(p->motion[i].fx, 0.0f)                                                    \
+	NUMBER(p->motion[i].fy, 0.0f)                                                    \
+	NUMBER(p->motion[i].torque, 0.0f)                                                \
+	INT(p->touching[i], (int)(counts & 255u))                                        \
+	INT(p->other_contacts[i], (int)(counts >> SAVED_OTHER & 255u))                   \
+	INT(p->fixed_contacts[i], (int)(counts >> SAVED_FIXED & (Word)SAVED_FIXED_MASK)) \
+	INT(p->belts[i], 0)                                                              \
+	INT(p->press[i].way[0], 0)                                                       \
+	INT(p->press[i].way[1], 0)                                                       \
+	INT(p->press[i].depth, 0)                                                        \
+	INT(p->press[i].speed, 0)                                                        \
+	INT(p->press[i].left, 0)                                                         \
+	INT(p->press[i].tight, 0)                                                        \
+	NUMBER(p->press[i].before, 0.0f)                                                 \
+	NUMBER(p->press[i].spun, 0.0f)                                                   \
+	INT(p->wake[i], 0)                                                               \
+	INT(p->hub[i], 0)                                                                \
+	INT(p->hub_colors[i], 0)                                                         \
+	INT(p->hub_keys[i].x, 0)                                                         \
+	INT(p->hub_keys[i].y, 0)                                                         \
+	INT(p->claim0[i], 0)                                                             \
+	INT(p->claim1[i], 0)                                                             \
+	NUMBER(p->reported_pose[i].x, origin.x)                                          \
+	NUMBER(p->reported_pose[i].y, origin.y)                                          \
+	NUMBER(p->reported_pose[i].z, origin.z)                                          \
+	NUMBER(p->reported_pose[i].w, origin.w)                                          \
 	INT(p->reported_sleep[i], 0)
 
 INLINE Float4 saved_origin(const Pools* p, int i, Word counts)

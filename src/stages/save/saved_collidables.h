@@ -11,29 +11,29 @@
 // Words of a collidable: its enlarged box, then two words. The first word of the box is the place of the rest, if there
 // is one. Bits of the two words: differences of cos, sin, x, y of the pose (8 bits each, the first word); of the arm (7 bits
 // each), then flags.
-#define SAVED_DIFFERENCES      4
-#define SAVED_TRAITS           5
-#define SAVED_ARM_MASK         127u
-#define SAVED_LOW_FLAGS        14 // COLLIDABLE_NEW_BOX, COLLIDABLE_FAST, COLLIDABLE_MOVING, and bits of small collidables
-#define SAVED_LOW_FLAGS_MASK   0x1fffu
-#define SAVED_CHANGED          27 // COLLIDABLE_CHANGED and COLLIDABLE_SHIFTED
-#define SAVED_AT_REST          0x20000000u // the world pose follows from the present pose of the body
+#define SAVED_DIFFERENCES       4
+#define SAVED_TRAITS            5
+#define SAVED_ARM_MASK          127u
+#define SAVED_LOW_FLAGS         14 // COLLIDABLE_NEW_BOX, COLLIDABLE_FAST, COLLIDABLE_MOVING, and bits of small collidables
+#define SAVED_LOW_FLAGS_MASK    0x1fffu
+#define SAVED_CHANGED           27          // COLLIDABLE_CHANGED and COLLIDABLE_SHIFTED
+#define SAVED_AT_REST           0x20000000u // the world pose follows from the present pose of the body
 #define SAVED_COLLIDABLE_RESTED 0x40000000u // the collidable has words in the rest
 
 // Lists the values of a collidable that are mostly as predicted. shape: predicted world shape.
-#define SAVED_COLLIDABLE_VALUES(INT, NUMBER)                \
-	INT(p->collidable_flags[i], saved_flags(traits))        \
-	NUMBER(p->old_box[i].x, box.x)                          \
-	NUMBER(p->old_box[i].y, box.y)                          \
-	NUMBER(p->old_box[i].z, box.z)                          \
-	NUMBER(p->old_box[i].w, box.w)                          \
-	NUMBER(p->world_shape[i].x, shape.x)                    \
-	NUMBER(p->world_shape[i].y, shape.y)                    \
-	NUMBER(p->world_shape[i].c, shape.c)                    \
-	NUMBER(p->world_shape[i].s, shape.s)                    \
-	NUMBER(p->world_shape[i].center_x, shape.center_x)      \
-	NUMBER(p->world_shape[i].center_y, shape.center_y)      \
-	INT(p->world_shape[i].attribute, shape.attribute)       \
+#define SAVED_COLLIDABLE_VALUES(INT, NUMBER)           \
+	INT(p->collidable_flags[i], saved_flags(traits))   \
+	NUMBER(p->old_box[i].x, box.x)                     \
+	NUMBER(p->old_box[i].y, box.y)                     \
+	NUMBER(p->old_box[i].z, box.z)                     \
+	NUMBER(p->old_box[i].w, box.w)                     \
+	NUMBER(p->world_shape[i].x, shape.x)               \
+	NUMBER(p->world_shape[i].y, shape.y)               \
+	NUMBER(p->world_shape[i].c, shape.c)               \
+	NUMBER(p->world_shape[i].s, shape.s)               \
+	NUMBER(p->world_shape[i].center_x, shape.center_x) \
+	NUMBER(p->world_shape[i].center_y, shape.center_y) \
+	INT(p->world_shape[i].attribute, shape.attribute)  \
 	INT(p->world_shape[i].body, shape.body)
 
 INLINE int saved_flags(Word traits)
@@ -44,8 +44,8 @@ INLINE int saved_flags(Word traits)
 
 INLINE Word saved_flags_bits(int flags)
 {
-	return ((Word)flags & SAVED_LOW_FLAGS_MASK) << SAVED_LOW_FLAGS |
-	       ((Word)flags / COLLIDABLE_CHANGED & 3u) << SAVED_CHANGED;
+	return ((Word)flags & SAVED_LOW_FLAGS_MASK) << SAVED_LOW_FLAGS | ((Word)flags / COLLIDABLE_CHANGED & 3u)
+	                                                                     << SAVED_CHANGED;
 }
 
 // Takes the lowest bits of *bits as a difference in units in the last place, and returns the number with it. put: the

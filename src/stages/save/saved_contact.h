@@ -72,7 +72,8 @@ WIDE_KERNEL(save_contact)
 	SavedEdges e;
 	saved_shapes(p, &e, a, b);
 	saved_surface(e.at_a, e.at_b, expected);
-	Int flags = load_int((const GLOBAL int*)p->contact_flags, i), press = load_int((const GLOBAL int*)p->contact_press, i);
+	Int flags = load_int((const GLOBAL int*)p->contact_flags, i),
+	    press = load_int((const GLOBAL int*)p->contact_press, i);
 	Int ahead = saved_same(m[15], splat(-1.0f));
 
 	// the edges follow from the features of the points; the normal is that of the reference edge, if it is in shape a
@@ -93,13 +94,13 @@ WIDE_KERNEL(save_contact)
 	UNROLL
 	for (int k = 0; k < 4; ++k)
 		alike = alike & saved_same(surface[k], expected[k]);
-	alike = alike & saved_same(m[14], e.at_a[TRAIT_REACH]) &
-	        saved_same(m[15], saved_limit(p, ia, ib, &e, ahead));
+	alike = alike & saved_same(m[14], e.at_a[TRAIT_REACH]) & saved_same(m[15], saved_limit(p, ia, ib, &e, ahead));
 	alike = p->step.material_pairs > 0 ? zero : alike;
 
 	Int code = blend_int(zero, zero + (int)SAVED_SWAP, e.swap) | shifted(e.edge, SAVED_REFERENCE) |
 	           (int)(SAVED_EDGES | SAVED_HIGH | SAVED_LOW);
-	Int traits = ib | shifted(e.other, SAVED_PAIR_BITS) | (int)SAVED_PLACED | blend_int(zero, zero + (int)SAVED_AHEAD, ahead);
+	Int traits =
+	    ib | shifted(e.other, SAVED_PAIR_BITS) | (int)SAVED_PLACED | blend_int(zero, zero + (int)SAVED_AHEAD, ahead);
 	traits = blend_int(blend_int(zero + (int)SAVED_FREE, zero + (int)SAVED_ODD, there), traits, alike);
 	store_int((GLOBAL int*)row, 0, ia | shifted(code, SAVED_PAIR_BITS));
 	store_int((GLOBAL int*)row + by, 0, traits);
@@ -163,7 +164,8 @@ WIDE_KERNEL(load_contact)
 		p->contact_rare_kept[i + k] = rare_none;
 		p->contact_feature[i + k] = make_int2(lane(ends.feature[0], k), lane(ends.feature[1], k));
 		p->contact_press[i + k] = 0;
-		p->contact_surface[i + k] = make_float4(lane(surface[0], k), lane(surface[1], k), lane(surface[2], k), lane(surface[3], k));
+		p->contact_surface[i + k] =
+		    make_float4(lane(surface[0], k), lane(surface[1], k), lane(surface[2], k), lane(surface[3], k));
 	}
 }
 

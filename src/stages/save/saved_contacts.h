@@ -25,31 +25,31 @@ typedef struct // values of a contact, apart from those of its row
 } SavedContact;
 
 // Lists the values of a contact that are mostly as predicted. c: values; e: predictions.
-#define SAVED_CONTACT_VALUES(INT, NUMBER)         \
-	INT(c.color, e.color)                         \
-	INT(c.bodies.x, e.bodies.x)                   \
-	INT(c.bodies.y, e.bodies.y)                   \
-	INT(c.feature.x, e.feature.x)                 \
-	INT(c.feature.y, e.feature.y)                 \
-	NUMBER(c.kept[0], e.kept[0])                  \
-	NUMBER(c.kept[1], e.kept[1])                  \
-	NUMBER(c.kept[2], e.kept[2])                  \
-	NUMBER(c.kept[3], e.kept[3])                  \
-	NUMBER(c.kept[4], e.kept[4])                  \
-	NUMBER(c.normal.x, e.normal.x)                \
-	NUMBER(c.normal.y, e.normal.y)                \
-	NUMBER(c.on_a.x, e.on_a.x)                    \
-	NUMBER(c.on_a.y, e.on_a.y)                    \
-	NUMBER(c.on_a.z, e.on_a.z)                    \
-	NUMBER(c.on_a.w, e.on_a.w)                    \
-	NUMBER(c.separation1, e.separation1)          \
-	NUMBER(c.separation2, e.separation2)          \
-	NUMBER(c.reach, e.reach)                      \
-	NUMBER(c.limit, e.limit)                      \
-	INT(c.press, 0)                               \
-	NUMBER(c.surface.x, e.surface.x)              \
-	NUMBER(c.surface.y, e.surface.y)              \
-	NUMBER(c.surface.z, e.surface.z)              \
+#define SAVED_CONTACT_VALUES(INT, NUMBER) \
+	INT(c.color, e.color)                 \
+	INT(c.bodies.x, e.bodies.x)           \
+	INT(c.bodies.y, e.bodies.y)           \
+	INT(c.feature.x, e.feature.x)         \
+	INT(c.feature.y, e.feature.y)         \
+	NUMBER(c.kept[0], e.kept[0])          \
+	NUMBER(c.kept[1], e.kept[1])          \
+	NUMBER(c.kept[2], e.kept[2])          \
+	NUMBER(c.kept[3], e.kept[3])          \
+	NUMBER(c.kept[4], e.kept[4])          \
+	NUMBER(c.normal.x, e.normal.x)        \
+	NUMBER(c.normal.y, e.normal.y)        \
+	NUMBER(c.on_a.x, e.on_a.x)            \
+	NUMBER(c.on_a.y, e.on_a.y)            \
+	NUMBER(c.on_a.z, e.on_a.z)            \
+	NUMBER(c.on_a.w, e.on_a.w)            \
+	NUMBER(c.separation1, e.separation1)  \
+	NUMBER(c.separation2, e.separation2)  \
+	NUMBER(c.reach, e.reach)              \
+	NUMBER(c.limit, e.limit)              \
+	INT(c.press, 0)                       \
+	NUMBER(c.surface.x, e.surface.x)      \
+	NUMBER(c.surface.y, e.surface.y)      \
+	NUMBER(c.surface.z, e.surface.z)      \
 	NUMBER(c.surface.w, e.surface.w)
 
 INLINE void saved_set_manifold(SavedContact* e, Manifold m)
@@ -140,7 +140,8 @@ KERNEL(save_contact_odd)
 	}
 	int bit = 0;
 	SAVED_CONTACT_VALUES(SAVED_DIFFERS_INT, SAVED_DIFFERS_NUMBER)
-	Word traits = SAVED_ODD | (code >> 8) << SAVED_PAIR_BITS | (placed ? SAVED_PLACED : 0u) | (ahead ? SAVED_AHEAD : 0u);
+	Word traits =
+	    SAVED_ODD | (code >> 8) << SAVED_PAIR_BITS | (placed ? SAVED_PLACED : 0u) | (ahead ? SAVED_AHEAD : 0u);
 	row[SAVED_AXES * by] = float_word(manifold.then.x);
 	if (mask != 0)
 	{

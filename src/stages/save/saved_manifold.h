@@ -59,7 +59,8 @@ INLINE int saved_normal_of(const GLOBAL Attribute* shape, Word i, Vec normal)
 
 // Returns code number k, from 0, that may give a manifold with these features; SAVED_NO_POINTS after the last one. normal:
 // that of the manifold, which tells the reference edge of shape a.
-INLINE Word saved_code(const GLOBAL Attribute* a, const GLOBAL Attribute* b, int count, Int2 features, Vec normal, int k)
+INLINE Word saved_code(const GLOBAL Attribute* a, const GLOBAL Attribute* b, int count, Int2 features, Vec normal,
+                       int k)
 {
 	int codes = count == 2 ? 2 : 4;
 	if (count == 0 || k > codes)
@@ -68,7 +69,8 @@ INLINE Word saved_code(const GLOBAL Attribute* a, const GLOBAL Attribute* b, int
 		return SAVED_COLLIDE;
 	int last = count == 2 ? features.y : features.x, low = count == 1 && k & 1;
 	Word here = (Word)(last >> 8) & 7u;
-	int swap = !saved_normal_of(a, here, normal) && (count == 2 || !saved_normal_of(a, saved_edge_to(a, last >> 8), normal));
+	int swap =
+	    !saved_normal_of(a, here, normal) && (count == 2 || !saved_normal_of(a, saved_edge_to(a, last >> 8), normal));
 	swap ^= count == 2 ? k : k >> 1;
 	const GLOBAL Attribute *reference = swap ? b : a, *incident = swap ? a : b;
 	int on_reference = swap ? last & 255 : last >> 8, on_incident = swap ? features.x >> 8 : features.x & 255;

@@ -13,11 +13,11 @@
 _Static_assert(MAX_CONTACTS <= SAVED_SLOT_MASK + 1, "the index of a slot has more bits");
 
 // Lists the values of a place that are mostly 0.
-#define SAVED_PLACE_VALUES(NUMBER)                       \
-	NUMBER(contact_rare(p, rolling_impulse, i), 0.0f)    \
-	NUMBER(contact_rare(p, total_impulse1, i), 0.0f)     \
-	NUMBER(contact_rare(p, total_impulse2, i), 0.0f)     \
-	NUMBER(contact_rare(p, approach1, i), 0.0f)          \
+#define SAVED_PLACE_VALUES(NUMBER)                    \
+	NUMBER(contact_rare(p, rolling_impulse, i), 0.0f) \
+	NUMBER(contact_rare(p, total_impulse1, i), 0.0f)  \
+	NUMBER(contact_rare(p, total_impulse2, i), 0.0f)  \
+	NUMBER(contact_rare(p, approach1, i), 0.0f)       \
 	NUMBER(contact_rare(p, approach2, i), 0.0f)
 
 KERNEL(save_place)

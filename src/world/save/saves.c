@@ -13,7 +13,7 @@
 #include <string.h>
 
 #define SPARE 32 // reciprocal of the share of a range that is left for a later save
-#define GUESS 4  // number of items, of which one is taken to differ from its prediction before the first save
+#define GUESS 16 // number of items, of which one is taken to differ from its prediction before the first save
 
 #define STRUCTURES ((int)(sizeof((SaveList*)0)->structures / sizeof *((SaveList*)0)->structures))
 
@@ -200,6 +200,13 @@ scree_status world_load(scree_world* world, const char* function, int number)
 	scree_status status = load_all(world, save, &host);
 	saved_host_close(&host);
 	return status;
+}
+
+uint64_t world_save_bytes(const scree_world* world, int number)
+{
+	const SaveList* list = world->saves.list;
+	return list && list->saves[number].made ? (uint64_t)list->saves[number].range.count * pool_info[POOL_saved].bytes
+	                                        : 0;
 }
 
 void world_discard(scree_world* world, int number)

@@ -8,6 +8,9 @@
 scree_status world_save(scree_world* world, const char* function, int number);
 scree_status world_load(scree_world* world, const char* function, int number);
 
+// Returns the bytes of device memory that a save has, without those of its structure; 0 if it was not made.
+uint64_t world_save_bytes(const scree_world* world, int number);
+
 // Gives up a save and its memory. Has no effect if it was not made.
 void world_discard(scree_world* world, int number);
 void saves_close(scree_world* world);
