@@ -496,8 +496,8 @@ SCREE_API scree_status scree_world_save(scree_world* world, int save);
 // A failure of the device is sticky, as after scree_world_step.
 SCREE_API scree_status scree_world_load(scree_world* world, int save);
 
-// Sets *bytes to the memory of the device that a save has, apart from what it shares with other saves; 0 if there is no save
-// of this number. bytes: not null.
+// Sets *bytes to the memory on its device that a save has, apart from what it shares with other saves; 0 if the number
+// has no save. bytes: not null. Fails with SCREE_ERROR_INVALID.
 SCREE_API scree_status scree_world_get_save_bytes(const scree_world* world, int save, uint64_t* bytes);
 
 // Gives up a save, so that other saves can use its memory. Has no effect if there is no save of this number.

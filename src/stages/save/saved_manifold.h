@@ -58,7 +58,7 @@ INLINE int saved_normal_of(const GLOBAL Attribute* shape, Word i, Vec normal)
 }
 
 // Returns code number k, from 0, that may give a manifold with these features; SAVED_NO_POINTS after the last one. normal:
-// that of the manifold, which tells the reference edge of shape a.
+// that of the manifold, which is the normal of the reference edge if that is in shape a.
 INLINE Word saved_code(const GLOBAL Attribute* a, const GLOBAL Attribute* b, int count, Int2 features, Vec normal,
                        int k)
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // saved_words.h -- packs items into a save: words of fixed number, and the rest, words that differ from a prediction.
 //
-// An item has a row of words in the pool `saved`, and word k of all items of a part are adjacent, so that the work-items
-// of a GPU write adjacent words. Most other values of an item follow from the row, from other items, or are almost always
+// An item has a row of words in the pool `saved`. Word k of all items of a part are adjacent, so that the work-items of
+// a GPU write adjacent words. Most other values of an item follow from the row, from other items, or are almost always
 // the same. Each is compared with a prediction, and those that differ are appended to the rest of the save, so that no
-// value is lost whatever it is. The rest of an item begins with a mask of its values. Its place stands in a word of the
-// row (which a flag of the row tells), whose own value follows the mask. The order of the rest depends on timing, and
-// nothing else does.
+// value is lost whatever it is. The rest of an item begins with a mask of its values. A flag of the row marks an item with
+// a rest; then a word of the row is the place of the rest, and the value of this word follows the mask. Only the order of
+// the rest depends on timing.
 #ifndef SAVED_WORDS_H
 #define SAVED_WORDS_H
 #include "dialect/dialect.h"
