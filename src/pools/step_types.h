@@ -45,6 +45,9 @@ typedef struct // softness of a contact: factors of the bias pass. Source: Erin 
 #define SAVED_COLLIDABLE_WORDS 6
 #define SAVED_CONTACT_WORDS    9
 #define SAVED_PLACE_WORDS      5
+// Numbers of bits of the index of a collidable and of that of a contact slot in these words.
+#define SAVED_PAIR_BITS 24
+#define SAVED_SLOT_BITS 27
 
 typedef struct // a part of a save: the number of its items, and its first word
 {

@@ -16,9 +16,7 @@
 #define SAVED_RELATIVE 3
 #define SAVED_AXES     7
 
-#define SAVED_PAIR_BITS 24 // number of bits of the index of a collidable
-#define SAVED_PAIR_MASK 0xffffffu
-_Static_assert(MAX_ITEMS <= 1 << SAVED_PAIR_BITS, "the index of a collidable has more bits");
+#define SAVED_PAIR_MASK ((1u << SAVED_PAIR_BITS) - 1u)
 // The lower 8 bits of the code are above the first index, the upper 3 above the second one, then follow these bits.
 #define SAVED_FREE           0x08000000u // the slot is free
 #define SAVED_PLACED         0x10000000u // the contact has a place

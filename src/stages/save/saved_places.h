@@ -7,10 +7,9 @@
 
 // Words of a place: the slot of its contact and flags; the impulses, of which the first word is the place of the rest, if
 // there is one. Padding has no rest, and its second word is its second body.
-#define SAVED_SLOT_MASK    0x07ffffffu
+#define SAVED_SLOT_MASK    ((1u << SAVED_SLOT_BITS) - 1u)
 #define SAVED_PADDING      0x40000000u
 #define SAVED_PLACE_RESTED 0x80000000u
-_Static_assert(MAX_CONTACTS <= SAVED_SLOT_MASK + 1, "the index of a slot has more bits");
 
 // Lists the values of a place that are mostly 0.
 #define SAVED_PLACE_VALUES(NUMBER)                    \

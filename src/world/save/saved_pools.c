@@ -7,6 +7,9 @@
 #include "step/reserve.h"
 #include "world/device/lasting.h"
 
+_Static_assert(MAX_ITEMS <= 1 << SAVED_PAIR_BITS, "the index of a collidable has more bits");
+_Static_assert(MAX_CONTACTS <= 1 << SAVED_SLOT_BITS, "the index of a slot has more bits");
+
 // The members of the pools `body` and `motion` that steps change are packed too.
 static bool is_structure(PoolId pool)
 {
