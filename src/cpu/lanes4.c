@@ -6,9 +6,7 @@
 #include "stages/solve/hub/hub.h"
 #endif
 #include "stages/narrow_phase/manifold_reuse.h"
-#ifndef SCREE_SMALL
 #include "stages/save/saved_contact.h"
-#endif
 #include "stages/solve/integrate.h"
 #include "stages/solve/prepare.h"
 #include "stages/solve/solve_pass.h"

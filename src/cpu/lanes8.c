@@ -2,9 +2,7 @@
 // lanes8.c -- compiles the wide kernels for eight items per call: AVX2 on x86.
 #define LANES 8
 #include "stages/narrow_phase/manifold_reuse.h"
-#ifndef SCREE_SMALL
 #include "stages/save/saved_contact.h"
-#endif
 #include "stages/solve/chain/chain.h"
 #include "stages/solve/hub/hub.h"
 #include "stages/solve/integrate.h"

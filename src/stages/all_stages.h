@@ -50,9 +50,7 @@ SMALL_BEGIN
 #include "stages/read/moved_bodies.h"
 #include "stages/read/joint_report.h"
 #include "stages/read/hash.h"
-#ifndef SCREE_SMALL
 #include "stages/save/saved_bodies.h"
 #include "stages/save/saved_collidables.h"
 #include "stages/save/saved_places.h"
-#endif
 SMALL_END

@@ -146,10 +146,6 @@ int64_t saved_words_count(const scree_world* world, int first, SavedLayout* layo
 
 scree_status saved_words_run(const scree_world* world, const Save* save, bool back)
 {
-#ifdef SCREE_SMALL // the package for WebAssembly has no saves
-	(void)world, (void)save, (void)back;
-	return SCREE_OK;
-#else
 	// these constants do not depend on the world, so that the predictions of a load are those of the save
 	const Step step = {.small = 1, .material_pairs = save->material_pairs, .saved = save->layout};
 	// in the order in which items follow from others
@@ -170,5 +166,4 @@ scree_status saved_words_run(const scree_world* world, const Save* save, bool ba
 			                      .end = save->counts[kernels[k].items],
 			                      .count = NO_COUNT};
 	return world->backend->f->run(world->backend, &step, runs, count);
-#endif
 }

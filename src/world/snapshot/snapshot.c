@@ -73,15 +73,10 @@ static size_t largest_pool(const scree_world* world)
 // Clears values of contacts that are left over from earlier, so that equal worlds have equal snapshots.
 static scree_status tidy(scree_world* world)
 {
-#ifdef SCREE_SMALL // the package for WebAssembly has no snapshots
-	(void)world;
-	return SCREE_OK;
-#else
 	int slots = lasting_items(world, PER_CONTACT), places = lasting_items(world, PER_CONTACT_PLACE);
 	const Step step = {0};
 	const Run run = {.kernel_id = KERNEL_contact_tidy, .end = slots > places ? slots : places, .count = NO_COUNT};
 	return run.end > 0 ? world_note(world, world->backend->f->run(world->backend, &step, &run, 1)) : SCREE_OK;
-#endif
 }
 
 scree_status snapshot_write(scree_world* world, const char* function, ChunkWriter* writer)
