@@ -50,7 +50,7 @@ INLINE Word saved_flags_bits(int flags)
 
 // Takes the lowest bits of *bits as a difference in units in the last place, and returns the number with it. put: the
 // difference to `wanted` replaces these bits first, if it fits.
-INLINE float saved_near(float expected, float wanted, int put, Word bits, Word* all, int at)
+OUT_OF_LINE float saved_near(float expected, float wanted, int put, Word bits, Word* all, int at)
 {
 	Word middle = (bits + 1u) >> 1;
 	if (put)
@@ -63,7 +63,7 @@ INLINE float saved_near(float expected, float wanted, int put, Word bits, Word* 
 
 // Returns the world shape of collidable i that follows from the two words of its row. put: first sets the bits of the
 // differences to the world shape `now`.
-INLINE WorldShape saved_shape(const Pools* p, int i, int put, WorldShape now, Word* differences, Word* traits)
+OUT_OF_LINE WorldShape saved_shape(const Pools* p, int i, int put, WorldShape now, Word* differences, Word* traits)
 {
 	WorldShape shape;
 	Float4 own = p->collidable_pose[i];

@@ -24,8 +24,24 @@
 #define SAVED_CONTACT_RESTED 0x40000000u // the contact has words in the rest
 #define SAVED_ODD            0x80000000u // save_contact has left the contact out
 
+#ifdef SCREE_SMALL // WebAssembly: the kernels of saved_contacts.h process all contacts, which saves 5 kB of code
+WIDE_KERNEL(save_contact)
+{
+	GLOBAL int* row = (GLOBAL int*)saved_row(p, contacts, i);
+	Int ia, ib;
+	load_int2(p->pair, i, &ia, &ib);
+	Int there = (ia >= 0) & (indices(i) < p->counters->contacts), zero = ia & 0;
+	store_int(row + saved_by(p, contacts), 0, blend_int(zero + (int)SAVED_FREE, zero + (int)SAVED_ODD, there));
+}
+
+WIDE_KERNEL(load_contact)
+{
+	(void)p;
+	(void)i;
+}
+#else
 // Returns friction, restitution, rolling lever and tangent speed of two shapes, as contact_surface_of does.
-INLINE void saved_surface(const Real a[8], const Real b[8], Real surface[4])
+OUT_OF_LINE void saved_surface(const Real a[8], const Real b[8], Real surface[4])
 {
 	Real friction = root(a[TRAIT_FRICTION] * b[TRAIT_FRICTION]), most = splat(MOST_FRICTION);
 	surface[0] = blend(most, friction, friction < most);
@@ -42,7 +58,7 @@ INLINE Int saved_body(const Pools* p, Int collidable)
 }
 
 // m: Returns the motion up to which a manifold of two points is kept, as narrow_phase_distance does; -1 if `ahead`.
-INLINE Real saved_limit(const Pools* p, Int ia, Int ib, const SavedEdges* e, Int ahead)
+OUT_OF_LINE Real saved_limit(const Pools* p, Int ia, Int ib, const SavedEdges* e, Int ahead)
 {
 	Real reach = minimum(e->at_a[TRAIT_REACH], e->at_b[TRAIT_REACH]);
 	Real room = sweep_room(&p->step, gather_int(p->collidable_flags, ia) | gather_int(p->collidable_flags, ib));
@@ -166,5 +182,6 @@ WIDE_KERNEL(load_contact)
 		    make_float4(lane(surface[0], k), lane(surface[1], k), lane(surface[2], k), lane(surface[3], k));
 	}
 }
+#endif
 
 #endif

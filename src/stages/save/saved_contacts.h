@@ -62,7 +62,7 @@ INLINE void saved_set_manifold(SavedContact* e, Manifold m)
 }
 
 // Returns the values of a contact that follow from its pair, its flags and its code, apart from the manifold.
-INLINE SavedContact saved_expected(const Pools* p, Int2 pair, Word flags, int ahead)
+OUT_OF_LINE SavedContact saved_expected(const Pools* p, Int2 pair, Word flags, int ahead)
 {
 	SavedContact e;
 	int body_a = p->collidable_body[pair.x], body_b = p->collidable_body[pair.y];

@@ -34,7 +34,7 @@ typedef struct // the two shapes, and the pair of edges
 } SavedEdges;
 
 // Sets the attributes of the shapes, and their traits.
-INLINE void saved_shapes(const Pools* p, SavedEdges* e, Int a, Int b)
+OUT_OF_LINE void saved_shapes(const Pools* p, SavedEdges* e, Int a, Int b)
 {
 	e->a = a;
 	e->b = b;
@@ -51,7 +51,7 @@ INLINE Vec saved_vec(const Pools* p, Int shape, Int k)
 }
 
 // Returns the manifold. position, rotation: pose of shape b in the frame of shape a.
-INLINE SavedEnds saved_ends(const Pools* p, SavedEdges e, Vec position, Vec rotation)
+OUT_OF_LINE SavedEnds saved_ends(const Pools* p, SavedEdges e, Vec position, Vec rotation)
 {
 	SavedEnds ends;
 	Int reference = blend_int(e.a, e.b, e.swap), incident = blend_int(e.b, e.a, e.swap);

@@ -14,7 +14,7 @@
 #define SAVED_ANY_GAP 1.0e30f // m: larger than any separation
 
 // Returns the manifold of a code. a, b: attributes of the shapes; f: pose of shape b in the frame of shape a.
-INLINE Manifold saved_manifold(const Pools* p, int a, int b, Frame f, Word code)
+OUT_OF_LINE Manifold saved_manifold(const Pools* p, int a, int b, Frame f, Word code)
 {
 	if ((code & SAVED_WAY) == SAVED_NO_POINTS)
 		return no_manifold();

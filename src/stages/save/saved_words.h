@@ -20,7 +20,7 @@ INLINE GLOBAL Word* saved_words(const Pools* p) { return (GLOBAL Word*)(p->saved
 
 // Reserves words of the rest for a value of a row and `mask`, of the values that differ. Returns the place of these
 // words, or null if there is no room; the host then repeats the save with more room.
-INLINE GLOBAL Word* saved_rest(const Pools* p, Word mask, Word value, GLOBAL Word* instead)
+OUT_OF_LINE GLOBAL Word* saved_rest(const Pools* p, Word mask, Word value, GLOBAL Word* instead)
 {
 	int count = 2;
 	for (Word left = mask; left != 0; left &= left - 1)
