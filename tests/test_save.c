@@ -248,10 +248,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(scenes_roll_back),        cmocka_unit_test(structure_comes_back),
-	    cmocka_unit_test(paths_end_between_saves), cmocka_unit_test(bad_numbers_are_refused),
-	    cmocka_unit_test(scenes_roll_back), cmocka_unit_test(structure_comes_back),
-	    cmocka_unit_test(saves_are_small),  cmocka_unit_test(bad_numbers_are_refused),
-	    cmocka_unit_test(memory_runs_out),
+	    cmocka_unit_test(paths_end_between_saves), cmocka_unit_test(saves_are_small),
+	    cmocka_unit_test(bad_numbers_are_refused), cmocka_unit_test(memory_runs_out),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }
