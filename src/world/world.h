@@ -221,10 +221,10 @@ typedef struct // a snapshot that is being written (snapshot/chunks.h)
 	size_t used, capacity;
 } ChunkWriter;
 
-typedef struct // recording of the calls that change a world (record/recorder.h)
+typedef struct // recordings of the calls that change a world (record/recorder.h)
 {
-	struct Recorder* active; // recorder in use; null: calls are not recorded
-	struct Recorder* own;    // recorder of scree_world_record, also after its end; null before
+	struct Recorder* first; // recorders in use, linked; null: calls are not recorded
+	struct Recorder* own;   // recorder of scree_world_record, also after its end; null before
 	int depth; // number of calls in progress: one may make another, which is neither recorded nor repeated alone
 } Recorders;
 

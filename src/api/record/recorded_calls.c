@@ -7,7 +7,7 @@
 
 #ifndef SCREE_SMALL // api_calls.h
 
-#define IS_WATCHED(world) (world && (world->recorders.active || world->recovery))
+#define IS_WATCHED(world) (world && (world->recorders.first || world->recovery))
 
 #define WATCHED_CALL(name, enter, leave, ...)                                      \
 	scree_status scree_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__)) \

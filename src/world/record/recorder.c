@@ -142,14 +142,18 @@ scree_status recorder_open(scree_world* world, const char* function, const char*
 		return status;
 	}
 	r->begun = true;
-	world->recorders.active = r;
+	r->next = world->recorders.first;
+	world->recorders.first = r;
 	*made = r;
 	return SCREE_OK;
 }
 
 scree_status recorder_end(scree_world* world, Recorder* recorder, const char* function, bool hash)
 {
-	world->recorders.active = NULL;
+	Recorder** place = &world->recorders.first;
+	while (*place != recorder)
+		place = &(*place)->next;
+	*place = recorder->next;
 	if (recorder->status == SCREE_OK && hash && !world->broken)
 		add_hash(world, recorder);
 	if (recorder->status == SCREE_OK && add_empty(recorder, RECORD_END) == SCREE_OK)
@@ -176,10 +180,16 @@ void recorder_free(Recorder* recorder)
 
 void recorders_close(scree_world* world)
 {
-	if (world->recorders.active)
-		recorder_end(world, world->recorders.active, "scree_world_destroy", false);
-	recorder_free(world->recorders.own);
+	Recorder* own = world->recorders.own;
 	world->recorders.own = NULL;
+	while (world->recorders.first)
+	{
+		Recorder* recorder = world->recorders.first;
+		recorder_end(world, recorder, "scree_world_destroy", false);
+		if (recorder != own)
+			recorder_free(recorder);
+	}
+	recorder_free(own);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -201,37 +211,33 @@ static bool note_save(Recorder* r, RecordedCallId call, const void* const* value
 	return call != RECORDED_world_load || (r->saves & bit);
 }
 
-// Returns the recorder of a world, or null if there is none or it has failed.
-static Recorder* working(const scree_world* world)
-{
-	Recorder* r = world->recorders.active;
-	return r && r->status == SCREE_OK ? r : NULL;
-}
-
 static void add_call(scree_world* world, RecordedCallId call, const void* const* values)
 {
-	Recorder* r = working(world);
-	if (!r)
-		return;
-	if (!note_save(r, call, values))
+	for (Recorder* r = world->recorders.first; r; r = r->next)
 	{
-		add_snapshot(world, r);
-		return;
+		if (r->status != SCREE_OK)
+			continue;
+		if (!note_save(r, call, values))
+		{
+			add_snapshot(world, r);
+			continue;
+		}
+		r->payload.used = 0;
+		call_write(&r->payload, call, values);
+		add(r, RECORD_CALLS + (uint64_t)call);
 	}
-	r->payload.used = 0;
-	call_write(&r->payload, call, values);
-	add(r, RECORD_CALLS + (uint64_t)call);
 }
 
 // A call that is refused for its arguments has changed nothing. After another failure, for instance of a step beyond the contact
 // limit, a recording goes on with a snapshot: less depends on memory that ran out.
 static void add_failure(scree_world* world, scree_status status)
 {
-	Recorder* r = working(world);
-	if (!r || status == SCREE_ERROR_INVALID || status == SCREE_ERROR_STALE || world->broken)
+	if (!world->recorders.first || status == SCREE_ERROR_INVALID || status == SCREE_ERROR_STALE || world->broken)
 		return;
 	Sentence sentence = sentence_keep();
-	add_snapshot(world, r);
+	for (Recorder* r = world->recorders.first; r; r = r->next)
+		if (r->status == SCREE_OK)
+			add_snapshot(world, r);
 	sentence_restore(&sentence);
 }
 
@@ -252,8 +258,8 @@ void recorders_enter_step(scree_world* world, RecordedCallId call, const void* c
 {
 	recorders_enter(world);
 	add_call(world, call, values);
-	if (world->recorders.active)
-		flush(world->recorders.active);
+	for (Recorder* r = world->recorders.first; r; r = r->next)
+		flush(r);
 }
 
 scree_status recorders_leave_step(scree_world* world, RecordedCallId call, const void* const* values,
@@ -262,11 +268,15 @@ scree_status recorders_leave_step(scree_world* world, RecordedCallId call, const
 	FLOAT_MODE_HERE;
 	--world->recorders.depth;
 	recovery_note(world, call, values, status);
-	Recorder* r = working(world);
-	if (r && status != SCREE_OK)
-		add_empty(r, RECORD_FAILED);
-	else if (r && (++r->steps, r->hash_interval > 0 && r->steps % r->hash_interval == 0))
-		add_hash(world, r);
+	for (Recorder* r = world->recorders.first; r; r = r->next)
+	{
+		if (r->status != SCREE_OK)
+			continue;
+		if (status != SCREE_OK)
+			add_empty(r, RECORD_FAILED);
+		else if (++r->steps, r->hash_interval > 0 && r->steps % r->hash_interval == 0)
+			add_hash(world, r);
+	}
 	if (status != SCREE_OK)
 		add_failure(world, status);
 	return status;
