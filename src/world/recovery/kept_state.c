@@ -93,19 +93,6 @@ bool kept_state_add(KeptState* kept, uint64_t number, const void* const* values)
 	return true;
 }
 
-// Reserves the pools of a new world. Scans have an item more than the items that they count.
-static scree_status reserve(scree_world* made, const Save* save)
-{
-	const SavedStructure* structure = made->saves.list->structures + save->structure;
-	for (int pool = 0; pool < POOL_COUNT; ++pool)
-	{
-		int count = save->counts[pool] + structure->counts[pool]; // a pool is in one of both
-		if (count > 0)
-			TRY(pipeline_reserve(&made->pipeline, pool_info[pool].per, count + 1));
-	}
-	return SCREE_OK;
-}
-
 scree_status kept_state_bring(const KeptState* kept, const char* function, scree_world* made)
 {
 	Backend* b = made->backend;
@@ -114,7 +101,6 @@ scree_status kept_state_bring(const KeptState* kept, const char* function, scree
 		if (kept->saves >> k & 1)
 			world_discard(made, k);
 	world_discard(made, other_save(kept));
-	TRY(reserve(made, made->saves.list->saves + kept->save));
 	TRY(pipeline_reserve(&made->pipeline, PER_SAVED, kept->items));
 	TRY(b->f->write(b, POOL_saved, 0, kept->items, kept->copy));
 	structure_changed(made); // no save has the structure of a new world

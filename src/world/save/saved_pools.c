@@ -119,7 +119,7 @@ scree_status saved_pools_reserve(scree_world* world, const int counts[POOL_COUNT
 {
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 		if (counts[pool] > 0)
-			TRY(pipeline_reserve(&world->pipeline, pool_info[pool].per, counts[pool]));
+			TRY(pipeline_reserve(&world->pipeline, pool_info[pool].per, counts[pool] + 1));
 	return SCREE_OK;
 }
 

@@ -22,7 +22,7 @@ int64_t saved_words_count(const scree_world* world, int first, SavedLayout* layo
 // Packs the items of a save, or unpacks them after all copies of pools.
 scree_status saved_words_run(const scree_world* world, const Save* save, bool back);
 
-// Enlarges the pools of a world for saved items.
+// Enlarges the pools of a world for saved items, and for the item more that scans have.
 scree_status saved_pools_reserve(scree_world* world, const int counts[POOL_COUNT]);
 
 #endif
