@@ -3,17 +3,8 @@
 #include "run_files.h"
 #include "cli/common/file_bytes.h"
 #include "cli/common/library_error.h"
+#include "scene/player_file.h"
 #include <stdlib.h>
-
-// The place of a character is in its scene player, not in the world.
-static int check_characters(const Options* options, const ScenePlayer* player)
-{
-	if (player->scene->character_count == 0)
-		return EXIT_GOOD;
-	fprintf(stderr, "%s %s: --%s: the scene has characters, which a snapshot does not contain\n", program_name,
-	        options->name, options->load ? "load" : "save");
-	return EXIT_BAD;
-}
 
 static int load(const Options* options, ScenePlayer* player)
 {
@@ -21,21 +12,14 @@ static int load(const Options* options, ScenePlayer* player)
 	int code = file_read(options, options->load, &file);
 	if (code != EXIT_GOOD)
 		return code;
-	scree_counters counters;
-	code = report(scree_world_restore(player->world, file.bytes, file.size));
+	code = report(player_load(player, file.bytes, file.size, NULL, 0));
 	free(file.bytes);
-	if (code == EXIT_GOOD)
-		code = report(scree_world_get_counters(player->world, &counters));
-	if (code == EXIT_GOOD)
-		player->steps = counters.steps;
 	return code;
 }
 
 int run_files_begin(const Options* options, ScenePlayer* player)
 {
-	int code = options->load || options->save ? check_characters(options, player) : EXIT_GOOD;
-	if (code == EXIT_GOOD && options->load)
-		code = load(options, player);
+	int code = options->load ? load(options, player) : EXIT_GOOD;
 	if (code != EXIT_GOOD || !options->record)
 		return code;
 	scree_record_def def = scree_record_def_default();
@@ -52,6 +36,6 @@ int run_files_end(const Options* options, ScenePlayer* player, int code)
 		return code;
 	const void* bytes;
 	size_t size;
-	code = report(scree_world_snapshot(player->world, &bytes, &size));
+	code = report(player_save(player, NULL, 0, &bytes, &size));
 	return code == EXIT_GOOD ? file_write(options, options->save, bytes, size) : code;
 }

@@ -156,7 +156,13 @@ refuse 2 'are not a snapshot' diff early.snap rows.csv
 refuse 2 'are not a snapshot' run "${churn[@]}" --load rows.csv
 refuse 2 'cannot read nowhere.snap: No such file' run "${churn[@]}" --load nowhere.snap
 refuse 1 'cannot write nowhere/x.snap' run "${churn[@]}" --steps 2 --save nowhere/x.snap
-refuse 2 'the scene has characters' run platformer --device cpu --steps 2 --save x.snap
+
+# characters, which are beside the world, are in the file too
+walk=$("$scree" hash platformer --device cpu --steps 300)
+expect 0 'steps          200 in' run platformer --device cpu --steps 200 --save walk.snap
+expect 0 "$walk" run platformer --device cpu --steps 100 --load walk.snap
+"$scree" run platforms --device cpu --steps 2 --save other.snap >/dev/null
+refuse 2 'the snapshot lacks the characters' run platformer --device cpu --load other.snap
 
 # recordings: a replay with other threads and lanes, or beside another device, has the hashes of the run
 hash30=$whole

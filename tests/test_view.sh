@@ -466,7 +466,15 @@ echo 'no snapshot' >bad.snap
 view 2 "${small[@]}" --load bad.snap </dev/null
 says 'are not a snapshot'
 view 2 platformer --load scree-1.snap </dev/null
-says 'the scene has characters'
+says 'lacks the characters of the scene'
+"$scree" run platformer --device cpu --steps 20 --save walk.snap >/dev/null
+kept=$("$scree" hash platformer --device cpu --steps 30)
+view 0 platformer --load walk.snap <<'END'
+key space
+frames 10
+print
+END
+[ "$(nth hash 1)" = "$kept" ] || fail "view --load: characters go on with another hash"
 view 0 "${small[@]}" <<'END'
 key y
 print

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // page_moment.c -- writes and restores moments of the page: snapshots with parts for what the page has beside the world.
 //
-// page.tools: words of PageTools; page.movers: characters. page.source: a text, only in files: scene, parameters and actions.
-#include "web/moment_file.h"
+// page.tools: words of PageTools. page.source: a text, only in files: scene, parameters and actions. The scene player adds its own
+// parts (scene/player_file.c).
+#include "scene/player_file.h"
 #include "web/page.h"
 #include <stdlib.h>
 #include <string.h>
@@ -16,15 +17,12 @@ typedef struct // words of four bytes; later versions of the page may append mem
 	scree_joint joint;
 	scree_body body;
 	scree_vec anchor, at;
-	uint32_t before, played; // Characters
-	int taken;
 } PageTools;
 
 static PageTools read_tools(void)
 {
 	const Grab* g = &page.grab;
 	const Pour* p = &page.pour;
-	const Characters* c = &page.player.characters;
 	PageTools t = {.launched = g->launched,
 	               .poured = p->poured,
 	               .kind_count = p->kind_count,
@@ -36,10 +34,7 @@ static PageTools read_tools(void)
 	               .joint = g->joint,
 	               .body = g->body,
 	               .anchor = g->anchor,
-	               .at = g->at,
-	               .before = c->before,
-	               .played = c->played,
-	               .taken = c->taken};
+	               .at = g->at};
 	memcpy(t.thrown, g->thrown, sizeof t.thrown);
 	memcpy(t.kinds, p->kinds, sizeof t.kinds);
 	return t;
@@ -50,7 +45,6 @@ static void set_tools(const PageTools* t)
 {
 	Grab* g = &page.grab;
 	Pour* p = &page.pour;
-	Characters* c = &page.player.characters;
 	page_begin_tools();
 	g->launched = t->launched & INT32_MAX;
 	g->thrown_size = t->thrown_size;
@@ -66,9 +60,6 @@ static void set_tools(const PageTools* t)
 	p->due = t->due && p->kind_count > 0;
 	p->size = t->pour_size;
 	memcpy(p->kinds, t->kinds, sizeof t->kinds);
-	c->before = t->before;
-	c->played = t->played;
-	c->taken = t->taken;
 }
 
 // Returns the address and the size of a moment, which are valid until the next one; null on failure. source: text for a file;
@@ -80,11 +71,9 @@ EMSCRIPTEN_KEEPALIVE const double* page_moment(const char* source)
 	size_t size;
 	const FilePart parts[] = {
 	    {"page.tools", 4, &tools, sizeof tools},
-	    {"page.movers", sizeof(scree_mover), page.player.characters.movers,
-	     (size_t)page.scene->character_count * sizeof(scree_mover)},
 	    {"page.source", 1, source, strlen(source)},
 	};
-	if (!page_check(moment_write(page.player.world, parts, sizeof parts / sizeof *parts, &bytes, &size)))
+	if (!page_check(player_save(&page.player, parts, sizeof parts / sizeof *parts, &bytes, &size)))
 		return NULL;
 	page.numbers[0] = (double)(uintptr_t)bytes;
 	page.numbers[1] = (double)size;
@@ -105,34 +94,17 @@ EMSCRIPTEN_KEEPALIVE char* page_moment_source(const void* bytes, size_t size)
 	return text;
 }
 
-// Reads what the page has beside the world. A file of another program lacks it.
-static bool restore_page(const FilePart* words, const FilePart* movers)
-{
-	PageTools tools = {0};
-	size_t all = (size_t)page.scene->character_count * sizeof(scree_mover);
-	if (movers->bytes != all)
-		return page_fail("this file lacks the characters of the scene");
-	if (words->bytes > 0)
-		memcpy(&tools, words->values, words->bytes < sizeof tools ? words->bytes : sizeof tools);
-	set_tools(&tools);
-	if (all > 0)
-		memcpy(page.player.characters.movers, movers->values, all);
-	return true;
-}
-
 // Restores a moment of the current scene. On failure returns false; the world may then have changed, so the page loads the
-// scene again.
+// scene again. A file of another program lacks the tools.
 EMSCRIPTEN_KEEPALIVE bool page_return(const void* bytes, size_t size)
 {
-	scree_counters counters;
-	scree_world* world = page.player.world;
-	FilePart parts[] = {{.name = "page.tools", .unit = 4}, {.name = "page.movers", .unit = sizeof(scree_mover)}};
-	if (!page_check(moment_read(bytes, size, parts, 2)) || !page_check(scree_world_restore(world, bytes, size)) ||
-	    !page_check(scree_world_get_counters(world, &counters)) || !restore_page(&parts[0], &parts[1]))
+	PageTools tools = {0};
+	FilePart words = {.name = "page.tools", .unit = 4};
+	if (!page_check(player_load(&page.player, bytes, size, &words, 1)))
 		return false;
-	if (counters.bodies < page.scene->body_count || counters.steps < 0 || counters.steps > INT32_MAX)
-		return page_fail("this file has fewer bodies than the scene, or a number of steps that no world has");
-	page.player.steps = counters.steps;
+	if (words.bytes > 0)
+		memcpy(&tools, words.values, words.bytes < sizeof tools ? words.bytes : sizeof tools);
+	set_tools(&tools);
 	page.renderer.flashes.count = 0;
 	return page_show_world();
 }

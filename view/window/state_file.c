@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // state_file.c -- saves the state of the viewer's world as a file, and loads such a file.
 #include "view/window/state_file.h"
+#include "scene/player_file.h"
 #include "view/window/rewind.h"
 #include "view/window/viewer.h"
 #include <errno.h>
@@ -15,28 +16,17 @@ static bool say(Viewer* v, const char* what, const char* path, const char* why)
 	return false;
 }
 
-// The place of a character is in its scene player, not in the world.
-static bool has_characters(Viewer* v)
-{
-	bool has = v->session.scene->character_count > 0;
-	if (has)
-		viewer_show(v, "the scene has characters, which a snapshot does not contain");
-	return has;
-}
-
 void state_save(Viewer* v)
 {
 	const void* bytes;
 	size_t size;
 	char sentence[SENTENCE], path[sizeof v->saved];
-	if (has_characters(v))
-		return;
 	if (!capture_name(path, "snap", sentence))
 	{
 		viewer_show(v, sentence);
 		return;
 	}
-	if (scree_world_snapshot(v->session.player.world, &bytes, &size) != SCREE_OK)
+	if (player_save(&v->session.player, NULL, 0, &bytes, &size) != SCREE_OK)
 	{
 		viewer_show(v, scree_error());
 		return;
@@ -84,17 +74,18 @@ static bool restore(Viewer* v, const char* path, const void* bytes, size_t size)
 {
 	ScenePlayer* player = &v->session.player;
 	scree_counters* counters = &v->session.counters;
-	if (scree_world_restore(player->world, bytes, size) != SCREE_OK)
+	scree_status status = player_load(player, bytes, size, NULL, 0);
+	if (status != SCREE_OK && status != SCREE_ERROR_DIFFERENT)
 		return say(v, "cannot load", path, scree_error());
 	rewind_end(v);
-	bool good = scree_world_get_counters(player->world, counters) == SCREE_OK &&
-	            tuning_read(&v->session.tuning, v->session.scene, player->world) == SCREE_OK;
-	if (!good || counters->bodies < v->session.scene->body_count || counters->steps < 0)
+	if (status != SCREE_OK || scree_world_get_counters(player->world, counters) != SCREE_OK ||
+	    tuning_read(&v->session.tuning, v->session.scene, player->world) != SCREE_OK)
 	{
+		char why[SENTENCE];
+		snprintf(why, sizeof why, "%.*s", SENTENCE - 1, scree_error());
 		viewer_load(v, v->session.name, false);
-		return say(v, "cannot load", path, good ? "it has fewer bodies than the scene" : scree_error());
+		return say(v, "cannot load", path, why);
 	}
-	player->steps = counters->steps;
 	v->grab.joint = SCREE_NULL_JOINT;
 	v->grab.thrown_size = 0.0f;
 	v->tools.pour = (Pour){.rate = v->tools.pour.rate};
@@ -109,8 +100,6 @@ bool state_load(Viewer* v, const char* path)
 {
 	size_t size;
 	path = path ? path : v->saved;
-	if (has_characters(v))
-		return false;
 	if (!*path)
 	{
 		viewer_show(v, "no state has been saved yet");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// moment_file.h -- writes and reads snapshots with parts of the page. It hides the library's own types, some of which have the
+// moment_file.h -- writes and reads snapshots with parts of a program, as further chunks. It hides the library's own types, some of which have the
 // names of types in view/.
 #ifndef MOMENT_FILE_H
 #define MOMENT_FILE_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// moment_file.c -- writes and reads snapshots with parts of the page, as further chunks: a library that reads the snapshot skips
+// moment_file.c -- writes and reads snapshots with parts of a program, as further chunks: a library that reads the snapshot skips
 // chunks that it lacks.
-#include "web/moment_file.h"
+#include "scene/moment_file.h"
 #include "world/snapshot/chunks.h"
 #include <string.h>
 
