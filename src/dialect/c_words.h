@@ -106,6 +106,11 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 	if (wanted)
 		memcpy(base + 8 * (size_t)index, in, 16);
 }
+INLINE void scatter_rows4(float* base, int index, const float in[4], int wanted)
+{
+	if (wanted)
+		memcpy(base + 4 * (size_t)index, in, 16);
+}
 #endif
 
 #define LOCAL

@@ -124,14 +124,15 @@ INLINE Real only(Real x, Int c) { return c ? x : 0.0f; }
 #define following_int(a, b) (b)
 #define preceding_int(a, b) (a)
 
-// indices(i): the numbers i to i + LANES - 1. gather: an item of an array for each lane, by index. load_int2: the
-// members of LANES pairs, from pair i on.
+// indices(i): the numbers i to i + LANES - 1. gather: an item of an array for each lane, by index. load_int2,
+// store_int2: the members of LANES pairs, from pair i on.
 #define indices(i)               (i)
 #define gather(array, index)     ((array)[index])
 #define gather_int(array, index) ((array)[index])
 // Pairs of floats by index: their first and second members.
 #define gather_pairs(base, index, x, y) (*(x) = (base)[2 * (index)], *(y) = (base)[2 * (index) + 1])
 #define load_int2(array, i, x0, y0)     (*(x0) = (array)[i].x, *(y0) = (array)[i].y)
+#define store_int2(array, i, x0, y0)    ((array)[i] = make_int2(x0, y0))
 // lane_bits: bit mask of the lanes in which c is not 0. lane: the value of one lane.
 #define lane_bits(c)                   ((Word)((c) != 0))
 #define lane(x, k)                     (x)

@@ -125,6 +125,11 @@ INLINE void scatter_rows4of8(__global float* base, int index, const float in[4],
 	if (wanted)
 		((ROW)base)[2 * index] = (float4)(in[0], in[1], in[2], in[3]);
 }
+INLINE void scatter_rows4(__global float* base, int index, const float in[4], int wanted)
+{
+	if (wanted)
+		((ROW)base)[index] = (float4)(in[0], in[1], in[2], in[3]);
+}
 
 // one bound of eight packed boxes, read four at a time
 typedef struct

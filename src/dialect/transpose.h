@@ -78,6 +78,17 @@ WIDE_INLINE void load_int2(const Int2* array, int i, Int* x, Int* y)
 	*y = SHUFFLE_ALL(low, high, EVERY_SECOND(1));
 }
 
+#define BOTH_LOW(k)  k, k + LANES
+#define BOTH_HIGH(k) k + LANES / 2, k + LANES / 2 + LANES
+WIDE_INLINE void store_int2(Int2* array, int i, Int x, Int y)
+{
+	Int low = SHUFFLE_ALL(x, y, EACH_HALF(BOTH_LOW)), high = SHUFFLE_ALL(x, y, EACH_HALF(BOTH_HIGH));
+	memcpy(array + i, &low, sizeof low);
+	memcpy(array + i + LANES / 2, &high, sizeof high);
+}
+#undef BOTH_LOW
+#undef BOTH_HIGH
+
 // Gathers pairs of floats, aligned to 8 bytes: *x and *y, lane k, are those of pair index[k].
 typedef Word64 Pairs __attribute__((vector_size(4 * LANES)));
 WIDE_INLINE Word64 pair_at(const float* base, int index)
@@ -262,15 +273,26 @@ WIDE_INLINE Real root(Real x)
 #endif
 }
 
-// Writes the first four of the eight floats of item index[k] for lanes k with `wanted` set; these items must differ.
-WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int wanted)
+// Writes four floats at base + at[k] for lanes k with `wanted` set; these places must differ.
+WIDE_INLINE void quads_scatter_some(float* base, Words at, const Real in[4], Int wanted)
 {
-	Words at = (Words)index * 8u;
 	Word bits = lane_bits(wanted);
 	if (bits == ALL_LANES)
 		quads_scatter(base, at, in, ALL_LANES); // omits the tests of lanes
 	else
 		quads_scatter(base, at, in, bits);
+}
+
+// Writes the first four of the eight floats of item index[k] for lanes k with `wanted` set.
+WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int wanted)
+{
+	quads_scatter_some(base, (Words)index * 8u, in, wanted);
+}
+
+// Writes the four floats of item index[k] for lanes k with `wanted` set.
+WIDE_INLINE void scatter_rows4(float* base, Int index, const Real in[4], Int wanted)
+{
+	quads_scatter_some(base, (Words)index * 4u, in, wanted);
 }
 
 #undef ALL_LANES

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // saved_contact.h -- packs the contacts of a world into a save, and unpacks them; saved_places.h has their impulses.
 //
-// Most contacts have two points, a place, and no value that differs from its prediction. The kernels of this file process
-// these, several at once; those of saved_contacts.h the others.
+// Most contacts have two points and a place, or neither points nor impulses, and no value that differs from its
+// prediction, except the motion up to which a manifold without points is kept. The kernels of this file process these,
+// several at once; those of saved_contacts.h the others.
 #ifndef SAVED_CONTACT_H
 #define SAVED_CONTACT_H
 #include "stages/narrow_phase/manifold_reuse.h"
@@ -57,6 +58,8 @@ INLINE Int saved_body(const Pools* p, Int collidable)
 	return body & ~(body >> 31);
 }
 
+INLINE Int saved_same(Real a, Real b) { return real_bits(a) == real_bits(b); }
+
 // m: Returns the motion up to which a manifold of two points is kept, as narrow_phase_distance does; -1 if `ahead`.
 OUT_OF_LINE Real saved_limit(const Pools* p, Int ia, Int ib, const SavedEdges* e, Int ahead)
 {
@@ -65,7 +68,41 @@ OUT_OF_LINE Real saved_limit(const Pools* p, Int ia, Int ib, const SavedEdges* e
 	return blend(minimum(HOLD_DISTANCE * room, HOLD_SHARE * reach), splat(-1.0f), ahead);
 }
 
-INLINE Int saved_same(Real a, Real b) { return real_bits(a) == real_bits(b); }
+// Returns whether contacts have neither points nor impulses. m: manifold.
+OUT_OF_LINE Int saved_is_empty(const Pools* p, int i, const Real m[16])
+{
+	Real kept[4], none = splat(NO_POINT);
+	Int feature1, feature2, zero = indices(i) & 0;
+	load_rows4((GLOBAL float*)p->contact_kept, i, kept);
+	load_int2(p->contact_feature, i, &feature1, &feature2);
+	Int bits = load_int((GLOBAL int*)p->contact_rare_kept, i) | real_bits(m[0]) | real_bits(m[1]);
+	UNROLL
+	for (int k = 0; k < 4; ++k)
+		bits = bits | real_bits(kept[k]) | real_bits(m[4 + k]);
+	return (bits == zero) & saved_same(m[2], none) & saved_same(m[3], none) & (feature1 == -1) & (feature2 == -1) &
+	       (load_int(p->contact_place, i) < 0) & (load_int(p->contact_color, i) == COLOR_NONE);
+}
+
+// Appends the limits of the motion of contacts to the rest, each after the word of the row that becomes its place.
+INLINE Int saved_limits(const Pools* p, Int axis, Real limit, Word lanes)
+{
+	int count = 0;
+	for (Word left = lanes; left != 0; left &= left - 1)
+		count += 2;
+	int place = saved_reserve(p, count);
+	if (place < 0)
+		return axis;
+	for (int k = 0; lanes >> k != 0; ++k)
+		if (lanes >> k & 1)
+		{
+			GLOBAL int* rest = (GLOBAL int*)saved_words(p) + p->step.saved.rest + place;
+			rest[0] = lane(axis, k);
+			rest[1] = float_bits(lane(limit, k));
+			lane(axis, k) = place;
+			place += 2;
+		}
+	return axis;
+}
 
 WIDE_KERNEL(save_contact)
 {
@@ -97,31 +134,56 @@ WIDE_KERNEL(save_contact)
 	e.edge = blend_int(e.edge, feature2 & 7, e.swap);
 	e.other = blend_int(feature1, feature1 >> 8, e.swap) & 7;
 	SavedEnds ends = saved_ends(p, e, vec(m[8], m[9]), vec(m[10], m[11]));
-	Int alike = there & (load_int(p->contact_place, i) >= 0) & (press == 0) & ((flags & (int)CONTACT_COUNT) == 2) &
-	            ((flags & (int)CONTACT_DETECTED) == 0) & (body_a == saved_body(p, ia)) & (body_b == saved_body(p, ib));
+	Int common = there & (press == 0) & ((flags & (int)CONTACT_DETECTED) == 0) & (body_a == saved_body(p, ia)) &
+	             (body_b == saved_body(p, ib)) & saved_same(m[14], e.at_a[TRAIT_REACH]);
+	UNROLL
+	for (int k = 0; k < 4; ++k)
+		common = common & saved_same(surface[k], expected[k]);
+	common = p->step.material_pairs > 0 ? zero : common;
+	Int alike = common & (load_int(p->contact_place, i) >= 0) & ((flags & (int)CONTACT_COUNT) == 2);
 	alike = alike & saved_same(m[0], ends.normal.x) & saved_same(m[1], ends.normal.y);
 	alike = alike & (feature1 == ends.feature[0]) & (feature2 == ends.feature[1]);
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 		alike = alike & saved_same(m[2 + k], ends.separation[k]) & saved_same(m[4 + 2 * k], ends.point[k].x) &
 		        saved_same(m[5 + 2 * k], ends.point[k].y);
-	UNROLL
-	for (int k = 0; k < 4; ++k)
-		alike = alike & saved_same(surface[k], expected[k]);
-	alike = alike & saved_same(m[14], e.at_a[TRAIT_REACH]) & saved_same(m[15], saved_limit(p, ia, ib, &e, ahead));
-	alike = p->step.material_pairs > 0 ? zero : alike;
+	alike = alike & saved_same(m[15], saved_limit(p, ia, ib, &e, ahead));
+	Int empty = common & ((flags & (int)CONTACT_COUNT) == 0);
+	if (lane_bits(empty))
+		empty = empty & saved_is_empty(p, i, m);
 
 	Int code = blend_int(zero, zero + (int)SAVED_SWAP, e.swap) | shifted(e.edge, SAVED_REFERENCE) |
 	           (int)(SAVED_EDGES | SAVED_HIGH | SAVED_LOW);
 	Int traits =
 	    ib | shifted(e.other, SAVED_PAIR_BITS) | (int)SAVED_PLACED | blend_int(zero, zero + (int)SAVED_AHEAD, ahead);
+	Int without = ib | blend_int(zero + (int)SAVED_CONTACT_RESTED, zero + (int)SAVED_AHEAD, ahead);
 	traits = blend_int(blend_int(zero + (int)SAVED_FREE, zero + (int)SAVED_ODD, there), traits, alike);
+	traits = blend_int(traits, without, empty);
+	code = blend_int(code, zero + (int)SAVED_NO_POINTS, empty);
+	Int axis = real_bits(m[12]);
+	Word limits = lane_bits(empty & (ahead == 0));
+	if (limits)
+		axis = saved_limits(p, axis, m[15], limits);
 	store_int((GLOBAL int*)row, 0, ia | shifted(code, SAVED_PAIR_BITS));
 	store_int((GLOBAL int*)row + by, 0, traits);
 	store_int((GLOBAL int*)row + SAVED_FLAGS * by, 0, flags);
 	UNROLL
-	for (int k = 0; k < 6; ++k)
+	for (int k = 0; k < 4; ++k)
 		store((GLOBAL float*)row + (SAVED_RELATIVE + k) * by, 0, m[8 + k]);
+	store_int((GLOBAL int*)row + SAVED_AXES * by, 0, axis);
+	store((GLOBAL float*)row + (SAVED_AXES + 1) * by, 0, m[13]);
+}
+
+// Writes the lanes where `wanted` is set.
+INLINE void saved_put(GLOBAL int* array, int i, Int x, Int wanted)
+{
+	store_int(array, i, blend_int(load_int(array, i), x, wanted));
+}
+INLINE void saved_put2(GLOBAL Int2* array, int i, Int x, Int y, Int wanted)
+{
+	Int old_x, old_y;
+	load_int2(array, i, &old_x, &old_y);
+	store_int2(array, i, blend_int(old_x, x, wanted), blend_int(old_y, y, wanted));
 }
 
 // Unpacks a contact without its place, which load_place sets afterwards.
@@ -131,8 +193,7 @@ WIDE_KERNEL(load_contact)
 	size_t by = saved_by(p, contacts);
 	Int first = load_int(row, 0), traits = load_int(row + by, 0), flags = load_int(row + SAVED_FLAGS * by, 0);
 	Int alike = (traits & (int)(SAVED_FREE | SAVED_ODD)) == 0;
-	Word lanes = lane_bits(alike);
-	if (lanes == 0)
+	if (lane_bits(alike) == 0)
 		return;
 	Int zero = first & 0, ia = blend_int(zero, first & (int)SAVED_PAIR_MASK, alike);
 	Int ib = blend_int(zero, traits & (int)SAVED_PAIR_MASK, alike), code = first >> SAVED_PAIR_BITS;
@@ -142,45 +203,49 @@ WIDE_KERNEL(load_contact)
 	UNROLL
 	for (int k = 0; k < 6; ++k)
 		m[8 + k] = load((const GLOBAL float*)row + (SAVED_RELATIVE + k) * by, 0);
+	Int axis = load_int(row + SAVED_AXES * by, 0);
+	Int empty = alike & ((code & (int)SAVED_WAY) == (int)SAVED_NO_POINTS);
 	SavedEdges e;
 	saved_shapes(p, &e, a, b);
 	e.swap = (code & (int)SAVED_SWAP) != 0;
 	e.edge = code >> SAVED_REFERENCE & 7;
 	e.other = traits >> SAVED_PAIR_BITS & 7;
 	SavedEnds ends = saved_ends(p, e, vec(m[8], m[9]), vec(m[10], m[11]));
-	m[0] = ends.normal.x;
-	m[1] = ends.normal.y;
+	m[0] = only(ends.normal.x, empty == 0);
+	m[1] = only(ends.normal.y, empty == 0);
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
-		m[2 + k] = ends.separation[k];
-		m[4 + 2 * k] = ends.point[k].x;
-		m[5 + 2 * k] = ends.point[k].y;
+		m[2 + k] = blend(ends.separation[k], splat(NO_POINT), empty);
+		m[4 + 2 * k] = only(ends.point[k].x, empty == 0);
+		m[5 + 2 * k] = only(ends.point[k].y, empty == 0);
+		ends.feature[k] = blend_int(ends.feature[k], zero - 1, empty);
 	}
 	m[14] = e.at_a[TRAIT_REACH];
 	m[15] = saved_limit(p, ia, ib, &e, (traits & (int)SAVED_AHEAD) != 0);
 	saved_surface(e.at_a, e.at_b, surface);
+	Word rested = lane_bits(alike & ((traits & (int)SAVED_CONTACT_RESTED) != 0));
+	for (int k = 0; rested >> k != 0; ++k)
+		if (rested >> k & 1)
+		{
+			const GLOBAL Word* rest = saved_rest_at(p, (Word)lane(axis, k));
+			lane(m[12], k) = bits_float((int)rest[0]);
+			lane(m[15], k) = bits_float((int)rest[1]);
+		}
 	UNROLL
 	for (int k = 0; k < 4; ++k)
 		scatter_rows4of8((GLOBAL float*)p->contact_manifold + 4 * k, 2 * indices(i), m + 4 * k, alike);
-	for (int k = 0; lanes >> k != 0; ++k)
-	{
-		if (!(lanes >> k & 1))
-			continue;
-		const ContactKept none = {0};
-		const ContactRareKept rare_none = {0};
-		p->pair[i + k] = make_int2(lane(ia, k), lane(ib, k));
-		p->contact_flags[i + k] = (Word)lane(flags, k);
-		p->contact_color[i + k] = COLOR_NONE;
-		p->contact_bodies[i + k] = make_int2(lane(body_a, k), lane(body_b, k));
-		p->contact_place[i + k] = -1;
-		p->contact_kept[i + k] = none;
-		p->contact_rare_kept[i + k] = rare_none;
-		p->contact_feature[i + k] = make_int2(lane(ends.feature[0], k), lane(ends.feature[1], k));
-		p->contact_press[i + k] = 0;
-		p->contact_surface[i + k] =
-		    make_float4(lane(surface[0], k), lane(surface[1], k), lane(surface[2], k), lane(surface[3], k));
-	}
+	const Real none[4] = {splat(0.0f), splat(0.0f), splat(0.0f), splat(0.0f)};
+	scatter_rows4((GLOBAL float*)p->contact_surface, indices(i), surface, alike);
+	scatter_rows4((GLOBAL float*)p->contact_kept, indices(i), none, alike);
+	saved_put((GLOBAL int*)p->contact_rare_kept, i, zero, alike);
+	saved_put2(p->pair, i, ia, ib, alike);
+	saved_put2(p->contact_bodies, i, body_a, body_b, alike);
+	saved_put2(p->contact_feature, i, ends.feature[0], ends.feature[1], alike);
+	saved_put((GLOBAL int*)p->contact_flags, i, flags, alike);
+	saved_put((GLOBAL int*)p->contact_press, i, zero, alike);
+	saved_put(p->contact_color, i, zero + COLOR_NONE, alike);
+	saved_put(p->contact_place, i, zero - 1, alike);
 }
 #endif
 

@@ -18,15 +18,23 @@ INLINE GLOBAL Word* saved_words(const Pools* p) { return (GLOBAL Word*)(p->saved
 #define saved_row(p, part, i) (saved_words(p) + (p)->step.saved.part.at + (i))
 #define saved_by(p, part)     ((size_t)(p)->step.saved.part.count)
 
-// Reserves words of the rest for a value of a row and `mask`, of the values that differ. Returns the place of these
-// words, or null if there is no room; the host then repeats the save with more room.
+// Reserves words of the rest. Returns the place of the first one, or -1 if there is no room; the host then repeats the
+// save with more room.
+INLINE int saved_reserve(const Pools* p, int count)
+{
+	int place = atomic_add_int((GLOBAL int*)saved_words(p), count);
+	return place > p->step.saved.room - count ? -1 : place;
+}
+
+// Reserves words of the rest for a value of a row and `mask`, of the values that differ. Returns the place of the words
+// for these values, or null if there is no room.
 OUT_OF_LINE GLOBAL Word* saved_rest(const Pools* p, Word mask, Word value, GLOBAL Word* instead)
 {
 	int count = 2;
 	for (Word left = mask; left != 0; left &= left - 1)
 		++count;
-	int place = atomic_add_int((GLOBAL int*)saved_words(p), count);
-	if (place > p->step.saved.room - count)
+	int place = saved_reserve(p, count);
+	if (place < 0)
 		return 0;
 	GLOBAL Word* rest = saved_words(p) + p->step.saved.rest + place;
 	rest[0] = mask;
