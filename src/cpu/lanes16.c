@@ -2,6 +2,7 @@
 // lanes16.c -- compiles the wide kernels for sixteen items per call: AVX-512 on x86.
 #define LANES 16
 #include "stages/narrow_phase/manifold_reuse.h"
+#include "stages/save/saved_collidables.h"
 #include "stages/save/saved_contact.h"
 #include "stages/solve/chain/chain.h"
 #include "stages/solve/hub/hub.h"

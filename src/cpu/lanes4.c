@@ -2,6 +2,7 @@
 // lanes4.c -- compiles the wide kernels for four items per call: SSE2 or NEON.
 #define LANES 4
 #ifndef SCREE_SMALL
+#include "stages/save/saved_collidables.h"
 #include "stages/solve/chain/chain.h"
 #include "stages/solve/hub/hub.h"
 #endif

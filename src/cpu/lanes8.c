@@ -2,6 +2,7 @@
 // lanes8.c -- compiles the wide kernels for eight items per call: AVX2 on x86.
 #define LANES 8
 #include "stages/narrow_phase/manifold_reuse.h"
+#include "stages/save/saved_collidables.h"
 #include "stages/save/saved_contact.h"
 #include "stages/solve/chain/chain.h"
 #include "stages/solve/hub/hub.h"

@@ -98,12 +98,14 @@ INLINE void raise_int(GLOBAL int* place, int x)
 #if LANES == 1
 typedef float Real;
 typedef int Int;
+typedef Word Words;
 #define splat(x)               (x)
 #define load(array, i)         ((array)[i])
 #define load_int(array, i)     ((array)[i])
 #define store(array, i, x)     ((array)[i] = (x))
 #define store_int(array, i, x) ((array)[i] = (x))
 #define real_bits(x)           float_bits(x)
+#define bits_real(x)           bits_float(x)
 INLINE Real blend(Real a, Real b, Int c) { return c ? b : a; }
 INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
 // Conversions between Real and Int, of values from 0 to below 2^31.

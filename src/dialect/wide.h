@@ -19,6 +19,7 @@ typedef Word Words __attribute__((vector_size(4 * LANES)));
 #define store(array, i, x)     (*(Real*)((array) + (i)) = (x))
 #define store_int(array, i, x) (*(Int*)((array) + (i)) = (x))
 #define real_bits(x)           ((Int)(x))
+#define bits_real(x)           ((Real)(x))
 #define lane(x, k)             ((x)[k])
 #if LANES == 8 && defined(__AVX__)
 INLINE Real blend(Real a, Real b, Int c) { return (Real)_mm256_blendv_ps((__m256)a, (__m256)b, (__m256)c); }

@@ -49,9 +49,9 @@ typedef struct // softness of a contact: factors of the bias pass. Source: Erin 
 #define SAVED_PAIR_BITS 24
 #define SAVED_SLOT_BITS 27
 
-typedef struct // a part of a save: the number of its items, and its first word
+typedef struct // a part of a save: its first word, and the number of its items, with padding and without
 {
-	int at, count;
+	int at, count, items;
 } SavedPart;
 
 typedef struct // places of a save in the pool saved, in words from item `first` on; only kernels of saves read this

@@ -20,153 +20,176 @@
 #define SAVED_AT_REST           0x20000000u // the world pose follows from the present pose of the body
 #define SAVED_COLLIDABLE_RESTED 0x40000000u // the collidable has words in the rest
 
-// Lists the values of a collidable that are mostly as predicted. shape: predicted world shape.
-#define SAVED_COLLIDABLE_VALUES(INT, NUMBER)           \
-	INT(p->collidable_flags[i], saved_flags(traits))   \
-	NUMBER(p->old_box[i].x, box.x)                     \
-	NUMBER(p->old_box[i].y, box.y)                     \
-	NUMBER(p->old_box[i].z, box.z)                     \
-	NUMBER(p->old_box[i].w, box.w)                     \
-	NUMBER(p->world_shape[i].x, shape.x)               \
-	NUMBER(p->world_shape[i].y, shape.y)               \
-	NUMBER(p->world_shape[i].c, shape.c)               \
-	NUMBER(p->world_shape[i].s, shape.s)               \
-	NUMBER(p->world_shape[i].center_x, shape.center_x) \
-	NUMBER(p->world_shape[i].center_y, shape.center_y) \
-	INT(p->world_shape[i].attribute, shape.attribute)  \
-	INT(p->world_shape[i].body, shape.body)
+// Number of values of a collidable that are mostly as predicted: flags, old box, world shape.
+#define SAVED_SHAPE_VALUES 13
 
-INLINE int saved_flags(Word traits)
+INLINE void saved_list(Int flags, const Real box[4], const Real shape[8], Int values[SAVED_SHAPE_VALUES])
 {
-	return (int)(traits >> SAVED_LOW_FLAGS & SAVED_LOW_FLAGS_MASK) |
-	       (int)(traits >> SAVED_CHANGED & 3u) * COLLIDABLE_CHANGED;
+	values[0] = flags;
+	for (int k = 0; k < 4; ++k)
+		values[1 + k] = real_bits(box[k]);
+	for (int k = 0; k < 8; ++k)
+		values[5 + k] = real_bits(shape[k]);
 }
 
-INLINE Word saved_flags_bits(int flags)
+INLINE Int saved_flags(Int traits)
 {
-	return ((Word)flags & SAVED_LOW_FLAGS_MASK) << SAVED_LOW_FLAGS | ((Word)flags / COLLIDABLE_CHANGED & 3u)
-	                                                                     << SAVED_CHANGED;
+	return (traits >> SAVED_LOW_FLAGS & (int)SAVED_LOW_FLAGS_MASK) | (traits >> SAVED_CHANGED & 3) * COLLIDABLE_CHANGED;
 }
 
-// Takes the lowest bits of *bits as a difference in units in the last place, and returns the number with it. put: the
-// difference to `wanted` replaces these bits first, if it fits.
-OUT_OF_LINE float saved_near(float expected, float wanted, int put, Word bits, Word* all, int at)
+INLINE Int saved_flags_bits(Int flags)
+{
+	Int changed = (flags & (COLLIDABLE_CHANGED | COLLIDABLE_SHIFTED)) * ((1 << SAVED_CHANGED) / COLLIDABLE_CHANGED);
+	return (flags & (int)SAVED_LOW_FLAGS_MASK) * (1 << SAVED_LOW_FLAGS) | changed;
+}
+
+// Takes the lowest bits of *all >> at as a difference in units in the last place, and returns the number with it. bits:
+// mask of the difference. now: if not null, the difference to now[k] sets these bits first, if it fits.
+INLINE Real saved_near(Real expected, const Real* now, int k, Word bits, Int* all, int at)
 {
 	Word middle = (bits + 1u) >> 1;
-	if (put)
+	Words from = (Words)real_bits(expected) - middle;
+	if (now)
 	{
-		Word difference = float_word(wanted) - float_word(expected) + middle;
-		*all |= (difference <= bits ? difference : middle) << at;
+		Words difference = (Words)real_bits(now[k]) - from;
+		Int fits = (Int)((difference & ~bits) == 0);
+		*all = *all | shifted(blend_int((*all & 0) + (int)middle, (Int)difference, fits), at);
 	}
-	return bits_float((int)(float_word(expected) + (*all >> at & bits) - middle));
+	return bits_real((Int)(from + (Words)(*all >> at & (int)bits)));
 }
 
-// Returns the world shape of collidable i that follows from the two words of its row. put: first sets the bits of the
-// differences to the world shape `now`.
-OUT_OF_LINE WorldShape saved_shape(const Pools* p, int i, int put, WorldShape now, Word* differences, Word* traits)
+// Sets `shape` to the world shapes that follow from the two words of a row. there: lanes with a collidable. now: if not
+// null, the bits of the differences are first set to those of these world shapes.
+OUT_OF_LINE void saved_shape(const Pools* p, int i, Int there, const Real* now, Int* differences, Int* traits,
+                             Real shape[8])
 {
-	WorldShape shape;
-	Float4 own = p->collidable_pose[i];
-	int body = p->collidable_body[i];
-	Vec position = vec(own.x, own.y), turn = vec(own.z, own.w), center = vec(0.0f, 0.0f);
-	if (body >= 0)
+	Real own[4], pose[4], state[8];
+	Vec middle;
+	Int body = load_int(p->collidable_body, i), zero = body & 0, has = there & (body >= 0);
+	body = blend_int(zero, body, has);
+	load_rows4((GLOBAL float*)p->collidable_pose, i, own);
+	gather_rows4((GLOBAL float*)p->pose, body, pose);
+	gather_fixed_rows8((GLOBAL float*)p->body, body, state);
+	gather_pairs((const GLOBAL float*)p->local_center, body, &middle.x, &middle.y);
+	Int rests = (*traits & (int)SAVED_AT_REST) != 0, turns = (state[6] != splat(0.0f)) & (rests == 0);
+	Vec before = vec(pose[2], pose[3]), position = vec(pose[0], pose[1]);
+	position = vec_blend(vec_sub(position, vec(state[4], state[5])), position, rests);
+	if (lane_bits(turns))
+		before = vec_blend(before, vec_turn_back(vec_rotation(state[6]), before), turns);
+	Vec turn = vec_turn(before, vec(own[2], own[3]));
+	Int first = zero, second = zero; // bits of the differences
+	if (!now)
 	{
-		Float4 pose = p->pose[body];
-		Float2 middle = p->local_center[body];
-		BodyState state = p->body[body];
-		int rests = (*traits & SAVED_AT_REST) != 0;
-		Vec before = vec(pose.z, pose.w);
-		position = vec(pose.x, pose.y);
-		if (!rests)
-		{
-			position = vec_sub(position, vec(state.dx, state.dy));
-			if (state.da != 0.0f)
-				before = vec_turn_back(vec_rotation(state.da), before);
-		}
-		turn = vec_turn(before, turn);
-		turn.x = saved_near(turn.x, now.c, put, 255u, differences, 0);
-		turn.y = saved_near(turn.y, now.s, put, 255u, differences, 8);
-		if (own.z == 1.0f && own.w == 0.0f) // the body turns as the collidable does
-			before = turn;
-		center = vec_neg(vec_turn(before, vec(own.x - middle.x, own.y - middle.y)));
-		center.x = saved_near(center.x, now.center_x, put, SAVED_ARM_MASK, traits, 0);
-		center.y = saved_near(center.y, now.center_y, put, SAVED_ARM_MASK, traits, 7);
-		position = vec_sub(position, center);
-		position.x = saved_near(position.x, now.x, put, 255u, differences, 16);
-		position.y = saved_near(position.y, now.y, put, 255u, differences, 24);
+		first = *differences;
+		second = *traits;
 	}
-	shape.x = position.x;
-	shape.y = position.y;
-	shape.c = turn.x;
-	shape.s = turn.y;
-	shape.center_x = center.x;
-	shape.center_y = center.y;
-	shape.attribute = p->collidable_attribute[i];
-	shape.body = body >= 0 ? body : 0;
-	return shape;
+	turn.x = saved_near(turn.x, now, 2, 255u, &first, 0);
+	turn.y = saved_near(turn.y, now, 3, 255u, &first, 8);
+	// the body may turn as the collidable does
+	before = vec_blend(before, turn, (own[2] == splat(1.0f)) & (own[3] == splat(0.0f)));
+	Vec center = vec_neg(vec_turn(before, vec(own[0] - middle.x, own[1] - middle.y)));
+	center.x = saved_near(center.x, now, 4, SAVED_ARM_MASK, &second, 0);
+	center.y = saved_near(center.y, now, 5, SAVED_ARM_MASK, &second, 7);
+	position = vec_sub(position, center);
+	position.x = saved_near(position.x, now, 0, 255u, &first, 16);
+	position.y = saved_near(position.y, now, 1, 255u, &first, 24);
+	if (now)
+	{
+		*differences = blend_int(zero, first, has);
+		*traits = *traits | blend_int(zero, second, has);
+	}
+	shape[0] = blend(own[0], position.x, has);
+	shape[1] = blend(own[1], position.y, has);
+	shape[2] = blend(own[2], turn.x, has);
+	shape[3] = blend(own[3], turn.y, has);
+	shape[4] = only(center.x, has);
+	shape[5] = only(center.y, has);
+	shape[6] = bits_real(load_int(p->collidable_attribute, i));
+	shape[7] = bits_real(body);
 }
 
-INLINE int saved_shape_is(WorldShape a, WorldShape b)
+WIDE_KERNEL(save_collidable)
 {
-	return float_word(a.x) == float_word(b.x) && float_word(a.y) == float_word(b.y) &&
-	       float_word(a.c) == float_word(b.c) && float_word(a.s) == float_word(b.s) &&
-	       float_word(a.center_x) == float_word(b.center_x) && float_word(a.center_y) == float_word(b.center_y);
-}
-
-KERNEL(save_collidable)
-{
-	GLOBAL Word* row = saved_row(p, collidables, i);
+	GLOBAL int* row = (GLOBAL int*)saved_row(p, collidables, i);
 	size_t by = saved_by(p, collidables);
-	Float4 box = p->box[i];
-	WorldShape now = p->world_shape[i], shape = now;
-	Word differences = 0, traits = 0, mask = 0, flags = saved_flags_bits(p->collidable_flags[i]);
-	for (int k = 0; k < 2; ++k)
+	Real box[4], old_box[4], now[8], shape[8];
+	load_rows4((GLOBAL float*)p->box, i, box);
+	load_rows4((GLOBAL float*)p->old_box, i, old_box);
+	load_rows8((GLOBAL float*)p->world_shape, i, now);
+	Int flags = load_int(p->collidable_flags, i), zero = flags & 0;
+	Int there = indices(i) < p->step.saved.collidables.items;
+	Int differences = zero, traits = saved_flags_bits(flags);
+	saved_shape(p, i, there, now, &differences, &traits, shape);
+	Int same = there;
+	for (int k = 0; k < 6; ++k)
+		same = same & (real_bits(shape[k]) == real_bits(now[k]));
+	if (lane_bits(there & (same == 0)))
 	{
-		differences = 0;
-		traits = k == 0 ? flags : flags | SAVED_AT_REST;
-		shape = saved_shape(p, i, 1, now, &differences, &traits);
-		if (saved_shape_is(shape, now))
-			break;
+		Int rest_differences = zero, rest_traits = saved_flags_bits(flags) | (int)SAVED_AT_REST;
+		Real rest_shape[8];
+		saved_shape(p, i, there, now, &rest_differences, &rest_traits, rest_shape);
+		differences = blend_int(rest_differences, differences, same);
+		traits = blend_int(rest_traits, traits, same);
+		for (int k = 0; k < 6; ++k)
+			shape[k] = blend(rest_shape[k], shape[k], same);
 	}
-	row[0] = float_word(box.x);
-	row[by] = float_word(box.y);
-	row[2 * by] = float_word(box.z);
-	row[3 * by] = float_word(box.w);
-	int bit = 0;
-	SAVED_COLLIDABLE_VALUES(SAVED_DIFFERS_INT, SAVED_DIFFERS_NUMBER)
-	if (mask != 0)
+	Int values[SAVED_SHAPE_VALUES], expected[SAVED_SHAPE_VALUES], mask = zero;
+	saved_list(flags, old_box, now, values);
+	saved_list(saved_flags(traits), box, shape, expected);
+	for (int k = 0; k < SAVED_SHAPE_VALUES; ++k)
+		mask = mask | blend_int(zero, zero + (1 << k), there & (values[k] != expected[k]));
+	traits = traits | blend_int(zero, zero + (int)SAVED_COLLIDABLE_RESTED, mask != 0);
+	for (int k = 0; k < 4; ++k)
+		store((GLOBAL float*)row + k * by, 0, box[k]);
+	store_int(row + SAVED_DIFFERENCES * by, 0, differences);
+	store_int(row + SAVED_TRAITS * by, 0, traits);
+	Word lanes = lane_bits(mask);
+	for (int k = 0; lanes >> k != 0; ++k)
 	{
-		traits |= SAVED_COLLIDABLE_RESTED;
-		GLOBAL Word* rest = saved_rest(p, mask, float_word(box.x), row);
-		bit = 0;
-		if (rest)
-		{
-			SAVED_COLLIDABLE_VALUES(SAVED_PUT_INT, SAVED_PUT_NUMBER)
-		}
+		GLOBAL Word* rest = 0;
+		if (lanes >> k & 1)
+			rest = saved_rest(p, (Word)lane(mask, k), float_word(lane(box[0], k)), (GLOBAL Word*)row + k);
+		for (int v = 0; v < SAVED_SHAPE_VALUES && rest; ++v)
+			if (lane(mask, k) >> v & 1)
+				*rest++ = (Word)lane(values[v], k);
 	}
-	row[SAVED_DIFFERENCES * by] = differences;
-	row[SAVED_TRAITS * by] = traits;
 }
 
-KERNEL(load_collidable)
+WIDE_KERNEL(load_collidable)
 {
-	const GLOBAL Word* row = saved_row(p, collidables, i);
+	const GLOBAL int* row = (const GLOBAL int*)saved_row(p, collidables, i);
 	size_t by = saved_by(p, collidables);
-	Word differences = row[SAVED_DIFFERENCES * by], traits = row[SAVED_TRAITS * by], mask = 0, first = row[0];
-	const GLOBAL Word* rest = row;
-	if (traits & SAVED_COLLIDABLE_RESTED)
+	Int there = indices(i) < p->step.saved.collidables.items, place = load_int(row, 0);
+	Int differences = load_int(row + SAVED_DIFFERENCES * by, 0), traits = load_int(row + SAVED_TRAITS * by, 0);
+	Real box[4], shape[8];
+	for (int k = 0; k < 4; ++k)
+		box[k] = load((const GLOBAL float*)row + k * by, 0);
+	Word rested = lane_bits(there & ((traits & (int)SAVED_COLLIDABLE_RESTED) != 0));
+	for (int k = 0; rested >> k != 0; ++k)
+		if (rested >> k & 1)
+			lane(box[0], k) = bits_float((int)saved_rest_at(p, (Word)lane(place, k))[1]);
+	saved_shape(p, i, there, 0, &differences, &traits, shape);
+	Int values[SAVED_SHAPE_VALUES];
+	saved_list(saved_flags(traits), box, shape, values);
+	for (int k = 0; rested >> k != 0; ++k)
 	{
-		rest = saved_rest_at(p, first);
-		mask = rest[0];
-		first = rest[1];
+		const GLOBAL Word* rest = saved_rest_at(p, (Word)lane(place, k));
+		Word mask = rested >> k & 1 ? rest[0] : 0;
 		rest += 2;
+		for (int v = 0; mask >> v != 0; ++v)
+			if (mask >> v & 1)
+				lane(values[v], k) = (int)*rest++;
 	}
-	Float4 box = make_float4(bits_float((int)first), bits_float((int)row[by]), bits_float((int)row[2 * by]),
-	                         bits_float((int)row[3 * by]));
-	p->box[i] = box;
-	WorldShape shape = saved_shape(p, i, 0, p->world_shape[i], &differences, &traits);
-	int bit = 0;
-	SAVED_COLLIDABLE_VALUES(SAVED_TAKE_INT, SAVED_TAKE_NUMBER)
+	Real old_box[4];
+	for (int k = 0; k < 4; ++k)
+		old_box[k] = bits_real(values[1 + k]);
+	for (int k = 0; k < 8; ++k)
+		shape[k] = bits_real(values[5 + k]);
+	scatter_rows4((GLOBAL float*)p->box, indices(i), box, there);
+	scatter_rows4((GLOBAL float*)p->old_box, indices(i), old_box, there);
+	scatter_rows4of8((GLOBAL float*)p->world_shape, indices(i), shape, there);
+	scatter_rows4of8((GLOBAL float*)p->world_shape + 4, indices(i), shape + 4, there);
+	saved_put(p->collidable_flags, i, values[0], there);
 }
 
 #endif

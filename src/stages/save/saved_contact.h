@@ -175,10 +175,6 @@ WIDE_KERNEL(save_contact)
 }
 
 // Writes the lanes where `wanted` is set.
-INLINE void saved_put(GLOBAL int* array, int i, Int x, Int wanted)
-{
-	store_int(array, i, blend_int(load_int(array, i), x, wanted));
-}
 INLINE void saved_put2(GLOBAL Int2* array, int i, Int x, Int y, Int wanted)
 {
 	Int old_x, old_y;

@@ -48,6 +48,12 @@ INLINE const GLOBAL Word* saved_rest_at(const Pools* p, Word place)
 	return saved_words(p) + p->step.saved.rest + place;
 }
 
+// Writes the lanes where `wanted` is set.
+INLINE void saved_put(GLOBAL int* array, int i, Int x, Int wanted)
+{
+	store_int(array, i, blend_int(load_int(array, i), x, wanted));
+}
+
 // The macros below process an entry (value, prediction) of a list of values: an int, or a number. Callers have declared
 // `mask`, `bit` and `rest`, and `bit` is 0 before a list.
 #define SAVED_DIFFERS_INT(value, expected)    mask |= (Word)((value) != (expected)) << bit++;

@@ -126,7 +126,7 @@ scree_status saved_pools_reserve(scree_world* world, const int counts[POOL_COUNT
 // Adds a part. Items are padded, so that the words of MAX_LANES items are aligned.
 static SavedPart part(int* at, int words, int count)
 {
-	SavedPart made = {*at, (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES};
+	SavedPart made = {*at, (count + MAX_LANES - 1) / MAX_LANES * MAX_LANES, count};
 	*at += words * made.count;
 	return made;
 }
