@@ -118,12 +118,13 @@ static scree_status pack(scree_world* world, const char* function, Save* save)
 		save->layout.room = (int)(4 * (save->range.count - copied) - words);
 		TRY(world_note(world, b->f->clear(b, POOL_saved, save->layout.first, 1)));
 		TRY(world_note(world, saved_words_run(world, save, false)));
+		// before the read, because a device copies while it still gets commands
+		TRY(world_note(world, saved_pools_copy(world, false, save->range, save->counts, save->leaves, false)));
 		TRY(world_note(world, b->f->read(b, POOL_saved, save->layout.first, 1, rest)));
 		room = world->saves.rest = rest[0];
 		if (room <= save->layout.room)
-			break;
+			return SCREE_OK;
 	}
-	return world_note(world, saved_pools_copy(world, false, save->range, save->counts, save->leaves, false));
 }
 
 scree_status world_save(scree_world* world, const char* function, int number)
