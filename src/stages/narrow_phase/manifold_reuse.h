@@ -19,6 +19,10 @@
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
 
+// m: a pair without points is tested again when a point has moved by more than this plus the amount by which the pair's
+// gap exceeds the speculative distance. It is a quarter of the speculative distance, so that no contact is missed.
+#define STAY_DISTANCE LINEAR_SLOP
+
 #define TURN_SHARE 0.3f // fraction of narrow_phase_distance up to which a pair that rotates together keeps its points
 
 // Returns an upper bound of the distance that any point of shape b within the reach of shape a has moved since shape b

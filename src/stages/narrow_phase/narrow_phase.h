@@ -10,10 +10,6 @@
 
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: maximum distance at which points of different features match
 
-// m: a pair without points is tested again when a point has moved by more than this plus the amount by which the pair's
-// gap exceeds the speculative distance. It is a quarter of the speculative distance, so that no contact is missed.
-#define STAY_DISTANCE LINEAR_SLOP
-
 // Returns the index of the old point from which a new point inherits impulses: the point of the same feature, else the
 // nearest point within MATCH_DISTANCE, else -1. taken: mask of old points that are already used.
 INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,

@@ -60,12 +60,14 @@ INLINE Int saved_body(const Pools* p, Int collidable)
 
 INLINE Int saved_same(Real a, Real b) { return real_bits(a) == real_bits(b); }
 
-// m: Returns the motion up to which a manifold of two points is kept, as narrow_phase_distance does; -1 if `ahead`.
-OUT_OF_LINE Real saved_limit(const Pools* p, Int ia, Int ib, const SavedEdges* e, Int ahead)
+// m: Returns the motion up to which a manifold of two points, or none (`empty`), is kept, as narrow_phase_distance does
+// for a gap of 0; -1 if `ahead`.
+OUT_OF_LINE Real saved_limit(const Pools* p, Int ia, Int ib, const SavedEdges* e, Int empty, Int ahead)
 {
 	Real reach = minimum(e->at_a[TRAIT_REACH], e->at_b[TRAIT_REACH]);
 	Real room = sweep_room(&p->step, gather_int(p->collidable_flags, ia) | gather_int(p->collidable_flags, ib));
-	return blend(minimum(HOLD_DISTANCE * room, HOLD_SHARE * reach), splat(-1.0f), ahead);
+	Real limit = blend(minimum(HOLD_DISTANCE * room, HOLD_SHARE * reach), STAY_DISTANCE * room, empty);
+	return blend(limit, splat(-1.0f), ahead);
 }
 
 // Returns whether contacts have neither points nor impulses. m: manifold.
@@ -147,8 +149,9 @@ WIDE_KERNEL(save_contact)
 	for (int k = 0; k < 2; ++k)
 		alike = alike & saved_same(m[2 + k], ends.separation[k]) & saved_same(m[4 + 2 * k], ends.point[k].x) &
 		        saved_same(m[5 + 2 * k], ends.point[k].y);
-	alike = alike & saved_same(m[15], saved_limit(p, ia, ib, &e, ahead));
 	Int empty = common & ((flags & (int)CONTACT_COUNT) == 0);
+	Int expects = saved_same(m[15], saved_limit(p, ia, ib, &e, empty, ahead));
+	alike = alike & expects;
 	if (lane_bits(empty))
 		empty = empty & saved_is_empty(p, i, m);
 
@@ -156,12 +159,13 @@ WIDE_KERNEL(save_contact)
 	           (int)(SAVED_EDGES | SAVED_HIGH | SAVED_LOW);
 	Int traits =
 	    ib | shifted(e.other, SAVED_PAIR_BITS) | (int)SAVED_PLACED | blend_int(zero, zero + (int)SAVED_AHEAD, ahead);
-	Int without = ib | blend_int(zero + (int)SAVED_CONTACT_RESTED, zero + (int)SAVED_AHEAD, ahead);
+	Int without = ib | blend_int(zero, zero + (int)SAVED_AHEAD, ahead) |
+	              blend_int(zero + (int)SAVED_CONTACT_RESTED, zero, expects);
 	traits = blend_int(blend_int(zero + (int)SAVED_FREE, zero + (int)SAVED_ODD, there), traits, alike);
 	traits = blend_int(traits, without, empty);
 	code = blend_int(code, zero + (int)SAVED_NO_POINTS, empty);
 	Int axis = real_bits(m[12]);
-	Word limits = lane_bits(empty & (ahead == 0));
+	Word limits = lane_bits(empty & (expects == 0));
 	if (limits)
 		axis = saved_limits(p, axis, m[15], limits);
 	store_int((GLOBAL int*)row, 0, ia | shifted(code, SAVED_PAIR_BITS));
@@ -218,7 +222,7 @@ WIDE_KERNEL(load_contact)
 		ends.feature[k] = blend_int(ends.feature[k], zero - 1, empty);
 	}
 	m[14] = e.at_a[TRAIT_REACH];
-	m[15] = saved_limit(p, ia, ib, &e, (traits & (int)SAVED_AHEAD) != 0);
+	m[15] = saved_limit(p, ia, ib, &e, empty, (traits & (int)SAVED_AHEAD) != 0);
 	saved_surface(e.at_a, e.at_b, surface);
 	Word rested = lane_bits(alike & ((traits & (int)SAVED_CONTACT_RESTED) != 0));
 	for (int k = 0; rested >> k != 0; ++k)
