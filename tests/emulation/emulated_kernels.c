@@ -160,8 +160,8 @@ static void call_probe(const void* arguments)
 int probe_run(int group_count, int group, int rounds, int spins, const Schedule* schedule)
 {
 	int fault = 0;
-	size_t bytes = (size_t)(group_count * group) * sizeof(Words);
-	Probe probe = {aligned_alloc(sizeof(Words), bytes), &fault, rounds, spins};
+	size_t bytes = (size_t)(group_count * group) * sizeof(WordPair);
+	Probe probe = {aligned_alloc(sizeof(WordPair), bytes), &fault, rounds, spins};
 	const Launch launch = {group_count, group, call_probe, &probe};
 	char sentence[ITEMS_SENTENCE];
 	memset(probe.rows, 0, bytes);

@@ -54,7 +54,7 @@ typedef unsigned int uint;
 typedef unsigned long ulong;
 typedef Float2 float2;
 typedef Float4 float4;
-typedef Words ulong2;
+typedef WordPair ulong2;
 
 #define min(a, b)   ((a) < (b) ? (a) : (b))
 #define max(a, b)   ((a) > (b) ? (a) : (b))
@@ -92,7 +92,7 @@ typedef Words ulong2;
 #define bench_meet()  barrier(0)
 
 #define MAILBOX_READ(row)                 items_look(row)
-#define MAILBOX_WRITE(row, first, second) items_put(row, (Words){(first), (second)})
+#define MAILBOX_WRITE(row, first, second) items_put(row, (WordPair){(first), (second)})
 
 // passes the pools as one struct; tests/CMakeLists.txt makes POOL_NAMES from src/pools/pools.def
 #define POOL_ARGUMENTS const Pools *given,

@@ -229,18 +229,18 @@ static void all_arrive(void)
 		piece_arrives(0);
 }
 
-Words items_look(const volatile void* place)
+WordPair items_look(const volatile void* place)
 {
 	++now->looks;
 	items_yield();
 	if (piece_count > 0 && next_random() % 2)
 		piece_arrives(random_of(piece_count));
-	Words words;
+	WordPair words;
 	memcpy(&words, (const void*)(uintptr_t)place, sizeof words);
 	return words;
 }
 
-void items_put(volatile void* place, Words words)
+void items_put(volatile void* place, WordPair words)
 {
 	items_yield();
 	if (++put_count == schedule.lost)
@@ -305,7 +305,7 @@ bool items_run(const Launch* what, const Schedule* how, char sentence[ITEMS_SENT
 	}
 	launch = *what;
 	schedule = *how;
-	schedule.pieces = schedule.pieces ? schedule.pieces : (int)sizeof(Words);
+	schedule.pieces = schedule.pieces ? schedule.pieces : (int)sizeof(WordPair);
 	state = how->seed;
 	patience = 1u << next_random() % 4;
 	switches_left = MOST_SWITCHES;

@@ -13,7 +13,7 @@ typedef struct // two words of a mailbox
 {
 	_Alignas(16) uint64_t x;
 	uint64_t y;
-} Words;
+} WordPair;
 
 typedef struct
 {
@@ -57,9 +57,9 @@ int items_groups(void);     // number of groups
 int items_lane(void);       // position of the work-item in its group
 int items_group_size(void); // number of work-items in the group
 
-void items_yield(void);                       // lets another work-item continue
-void items_meet(const char* file, int line);  // barrier of a group
-Words items_look(const volatile void* place); // returns both words at a place, without pieces that have not arrived
-void items_put(volatile void* place, Words words);
+void items_yield(void);                          // lets another work-item continue
+void items_meet(const char* file, int line);     // barrier of a group
+WordPair items_look(const volatile void* place); // returns both words at a place, without pieces that have not arrived
+void items_put(volatile void* place, WordPair words);
 
 #endif
