@@ -17,10 +17,12 @@
 #define JOINT_SEEKS     256 // flag of an edit: a body or a frame was placed, so the whole path must be searched
 
 // Bits of JointData.modes: four for each coordinate k, then others.
-#define JOINT_LOCKED(k)     (1 << (4 * (k)))
-#define JOINT_LIMITED(k)    (2 << (4 * (k)))
-#define JOINT_SPRING(k)     (4 << (4 * (k)))
-#define JOINT_MOTOR(k)      (8 << (4 * (k)))
+#define JOINT_LOCKED(k)  (1 << (4 * (k)))
+#define JOINT_LIMITED(k) (2 << (4 * (k)))
+#define JOINT_SPRING(k)  (4 << (4 * (k)))
+#define JOINT_MOTOR(k)   (8 << (4 * (k)))
+// mask of the parts of a coordinate for which whole turns count
+#define JOINT_COUNTED(k)    (JOINT_LOCKED(k) | JOINT_LIMITED(k) | JOINT_SPRING(k))
 #define JOINT_HAS_DRIVES(k) (JOINT_LIMITED(k) | JOINT_SPRING(k) | JOINT_MOTOR(k))
 #define JOINT_EXTRAS        0xeee           // mask of all limits, springs and motors
 #define JOINT_RADIAL        0x1000          // the axis lies along the line between the two anchors

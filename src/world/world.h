@@ -70,6 +70,7 @@ typedef struct // host data of a joint
 	int spot;                 // index of the joint in the pool chain_joints, -1 for none
 	int path;                 // index of the path, -1 for none
 	bool seeks;               // true: the search for the nearest part of the path must be repeated
+	bool counts;              // true: the angle will get its number of whole turns (joint_count_turns)
 	bool restarts;            // true: the constraint begins again
 	bool created;             // created since the last upload
 	bool waiting;             // pending for the next upload

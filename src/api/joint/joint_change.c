@@ -7,6 +7,7 @@
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
 #include "world/record/api_calls.h"
+#include "world/upload/upload.h"
 #include <stddef.h>
 #include <string.h>
 
@@ -22,6 +23,18 @@ typedef struct // a change of one coordinate, of the frames, or of enabling, for
 } Change;
 
 typedef scree_status (*Setter)(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def);
+
+// Uploads the edits if one of the joints will get its number of whole turns: a later change of its target or limits must
+// not change that number, as it does not if the user reads something in between.
+static scree_status upload_turns(const Change* change)
+{
+	bool counts = false;
+	for (int k = 0; k < change->count; ++k)
+		counts |= change->world->host_joints[change->joints[k].index - 1].counts;
+	return counts ? world_upload(change->world) : SCREE_OK;
+}
+
+static bool has_turns(const JointEdit* edit) { return ((int)edit->data.modes & JOINT_COUNTED(JOINT_ANGLE)) != 0; }
 
 static scree_status change_all(const Change* change, const void* values, Setter set)
 {
@@ -39,6 +52,7 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		scree_joint_def def = world->host_joints[index].def;
 		TRY(set(change, value, values, k, &def));
 	}
+	TRY(upload_turns(change));
 	TRY(edits_reserve(world, at.function, 0, 0, (JOINT_COMMANDS + (change->moves ? 2 : 0)) * change->count));
 	for (int k = 0; k < change->count; ++k)
 	{
@@ -50,6 +64,7 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		const JointEdit after = joint_edit(world, index);
 		bool same = before.flags == after.flags && memcmp(&before.data, &after.data, sizeof after.data) == 0;
 		world->host_joints[index].seeks |= change->moves && !same;
+		world->host_joints[index].counts |= has_turns(&after) && !has_turns(&before);
 		world->chains_stale |= change->moves && !same; // branches depend on the arms of hubs
 		if (change->moves)
 			joint_anchors(world, index);

@@ -12,7 +12,7 @@
 // as near as possible to the limits or the target.
 INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed)
 {
-	int k = JOINT_ANGLE, users = JOINT_LOCKED(k) | JOINT_LIMITED(k) | JOINT_SPRING(k), place = p->joint_place[slot];
+	int k = JOINT_ANGLE, users = JOINT_COUNTED(k), place = p->joint_place[slot];
 	int modes = (int)changed->modes;
 	if ((int)p->joint_data[slot].modes & users || !(modes & users))
 		return;
