@@ -183,6 +183,23 @@ static void refused(scree_status status, const char* sentence)
 	assert_string_equal(scree_error(), sentence);
 }
 
+// Saves and loads in every step need no more memory than the first ones.
+static void memory_stays(void** state)
+{
+	(void)state;
+	scree_world* world = open_pile("cpu", true);
+	scree_counters first, last;
+	for (int step = 0; step < 200; ++step)
+	{
+		run_steps(world, 1);
+		OK(scree_world_save(world, step % 8));
+		OK(scree_world_load(world, step % 8));
+		OK(scree_world_get_counters(world, step == 20 ? &first : &last));
+	}
+	assert_true(last.device_bytes <= first.device_bytes + first.device_bytes / 4);
+	scree_world_destroy(world);
+}
+
 static void bad_numbers_are_refused(void** state)
 {
 	(void)state;
@@ -247,9 +264,13 @@ static void memory_runs_out(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(scenes_roll_back),        cmocka_unit_test(structure_comes_back),
-	    cmocka_unit_test(paths_end_between_saves), cmocka_unit_test(saves_are_small),
-	    cmocka_unit_test(bad_numbers_are_refused), cmocka_unit_test(memory_runs_out),
+	    cmocka_unit_test(scenes_roll_back),
+	    cmocka_unit_test(structure_comes_back),
+	    cmocka_unit_test(paths_end_between_saves),
+	    cmocka_unit_test(saves_are_small),
+	    cmocka_unit_test(bad_numbers_are_refused),
+	    cmocka_unit_test(memory_runs_out),
+	    cmocka_unit_test(memory_stays),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

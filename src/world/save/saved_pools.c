@@ -115,11 +115,20 @@ scree_status saved_pools_copy(scree_world* world, bool structure, SavedRange ran
 	return SCREE_OK;
 }
 
+// Pools of groups are saved up to their capacity, so an item more would enlarge them at each load.
+static bool is_scanned(Per per)
+{
+	return per != PER_BODY_GROUP && per != PER_COLLIDABLE_GROUP && per != PER_CONTACT_GROUP && per != PER_ONE;
+}
+
 scree_status saved_pools_reserve(scree_world* world, const int counts[POOL_COUNT])
 {
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		Per per = pool_info[pool].per;
 		if (counts[pool] > 0)
-			TRY(pipeline_reserve(&world->pipeline, pool_info[pool].per, counts[pool] + 1));
+			TRY(pipeline_reserve(&world->pipeline, per, counts[pool] + is_scanned(per)));
+	}
 	return SCREE_OK;
 }
 
