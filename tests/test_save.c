@@ -183,7 +183,7 @@ static void refused(scree_status status, const char* sentence)
 	assert_string_equal(scree_error(), sentence);
 }
 
-// Saves and loads in every step need no more memory than the first ones.
+// The memory of saves and loads in every step does not grow.
 static void memory_stays(void** state)
 {
 	(void)state;

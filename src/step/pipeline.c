@@ -202,6 +202,10 @@ static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 	return pipeline_reserve(pipeline, PER_KEY, pairs);
 }
 
+// Returns whether contacts of sleeping bodies depend on the length of a step: those of small bodies begin at a distance of
+// about g dt^2, and a platform holds a visitor that gets over it in the step.
+static bool depends_on_length(const Pipeline* pipeline) { return pipeline->step.small || pipeline->platforms; }
+
 // Returns whether a step would change nothing: in the last QUIET_STEPS steps all bodies slept or cannot move, the user
 // has changed nothing since, and no contacts are to be packed. The counter `movers` that a step reads is that of the
 // step before.
@@ -209,6 +213,7 @@ static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
 {
 	bool same = request->dt == 0.0f || pipeline->counters.joints == 0 ||
 	            request->dt / (float)request->substeps == pipeline->step.h;
+	same = same && (request->dt == pipeline->step.dt || !depends_on_length(pipeline));
 	return pipeline->quiet >= QUIET_STEPS && pipeline->sparse == 0 && !pipeline->edited &&
 	       !pipeline->counters.joined_islands && request->sleep && request->commands.count == 0 && !pipeline->asks &&
 	       same;
@@ -227,12 +232,13 @@ static scree_status skip(Pipeline* pipeline, const StepRequest* request)
 	return pipeline_trim(pipeline);
 }
 
-// Counts the successive steps in which nothing moved and no rule changed a contact. While a body was pressed recently, each step counts the steps for
-// which its speed is still limited (stages/solve/press.h).
-static void count_quiet(Pipeline* pipeline, float dt)
+// Counts the successive steps in which nothing moved and no rule changed a contact. While a body was pressed recently, each
+// step counts the steps for which its speed is still limited (stages/solve/press.h). before: length of the step before.
+static void count_quiet(Pipeline* pipeline, float dt, float before)
 {
 	const Counters* c = &pipeline->counters;
-	if (c->movers != 0 || c->presses != 0 || c->rule_changes || pipeline->edited)
+	bool other = dt != before && depends_on_length(pipeline);
+	if (c->movers != 0 || c->presses != 0 || c->rule_changes || pipeline->edited || other)
 		pipeline->quiet = 0;
 	else if (dt > 0.0f && pipeline->quiet < QUIET_STEPS)
 		++pipeline->quiet;
@@ -244,6 +250,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	Backend* b = pipeline->backend;
 	if (is_quiet(pipeline, request))
 		return skip(pipeline, request);
+	float before = pipeline->step.dt; // length of the last step with dt above 0
 	pipeline->started = false;
 	pipeline->rested = false;
 	pipeline->trees[0].seen = false;
@@ -265,7 +272,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	pipeline->started = false;
 	TRY(count_trees(pipeline));
 	if (request->sleep)
-		count_quiet(pipeline, request->dt);
+		count_quiet(pipeline, request->dt, before);
 	pipeline->sleeps = request->sleep;
 	pipeline->listed = step.sleep;
 	pipeline->collidables = request->collidables;

@@ -151,7 +151,10 @@ scree_status world_save(scree_world* world, const char* function, int number)
 	made.host = save->host;
 	made.made = status == SCREE_OK;
 	if (status != SCREE_OK)
+	{
 		--list->structures[made.structure].uses;
+		made.range = (SavedRange){0, 0}; // the pool may lack it after the loss of a device
+	}
 	*save = made;
 	measure(&world->saves);
 	return status;
