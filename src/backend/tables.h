@@ -31,10 +31,11 @@ typedef enum
 typedef enum // the lanes or work-items that process an item of a kernel
 {
 	WIDTH_ONE,
-	WIDTH_WIDE,  // one lane per item; a call processes an item in each lane
-	WIDTH_ALONE, // as WIDTH_ONE, for rare kernels; from here on, not in OpenCL's persistent kernel
-	WIDTH_GROUP, // a worker or a work-group processes an item; its lanes share the item
-	WIDTH_TEAM,  // as WIDTH_GROUP, but a worker uses only one lane
+	WIDTH_WIDE,       // one lane per item; a call processes an item in each lane
+	WIDTH_ALONE,      // as WIDTH_ONE, for rare kernels; from here on, not in OpenCL's persistent kernel
+	WIDTH_WIDE_ALONE, // as WIDTH_WIDE, for rare kernels; one lane in WebAssembly, for less code
+	WIDTH_GROUP,      // a worker or a work-group processes an item; its lanes share the item
+	WIDTH_TEAM,       // as WIDTH_GROUP, but a worker uses only one lane
 } Width;
 
 typedef enum // stages of the step

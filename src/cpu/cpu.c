@@ -129,7 +129,8 @@ static void choose_kernels(Cpu* cpu, int lanes)
 	for (int kernel = 0; kernel < KERNEL_COUNT; ++kernel)
 	{
 		cpu->functions[kernel] = wide[kernel] ? wide[kernel] : one[kernel];
-		cpu->lanes[kernel] = kernel_widths[kernel] == WIDTH_WIDE ? lanes : 1;
+		bool is_wide = kernel_widths[kernel] == WIDTH_WIDE || kernel_widths[kernel] == WIDTH_WIDE_ALONE;
+		cpu->lanes[kernel] = is_wide && wide[kernel] ? lanes : 1;
 	}
 }
 

@@ -10,7 +10,7 @@
 #endif
 
 // With SCREE_SMALL, for WebAssembly, each kernel is compiled once: wide kernels with the number of lanes of the build,
-// and group kernels, which have the most code, with one lane.
+// and group kernels, which have the most code, and rare wide kernels with one lane.
 #if LANES == 1
 #define ENTRY_ONE(name) KERNEL_JOIN(name, LANES)
 #else
@@ -22,9 +22,11 @@
 #define ENTRY_WIDE(name) NULL
 #endif
 #ifdef SCREE_SMALL
-#define ENTRY_GROUP(name) ENTRY_ONE(name)
+#define ENTRY_GROUP(name)      ENTRY_ONE(name)
+#define ENTRY_WIDE_ALONE(name) ENTRY_ONE(name)
 #else
-#define ENTRY_GROUP(name) KERNEL_JOIN(name, LANES)
+#define ENTRY_GROUP(name)      KERNEL_JOIN(name, LANES)
+#define ENTRY_WIDE_ALONE(name) ENTRY_WIDE(name)
 #endif
 #define ENTRY_ALONE(name) ENTRY_ONE(name)
 #define ENTRY_TEAM(name)  ENTRY_ONE(name)

@@ -3,11 +3,11 @@
 #define LANES 4
 #ifndef SCREE_SMALL
 #include "stages/save/saved_collidables.h"
+#include "stages/save/saved_contact.h"
 #include "stages/solve/chain/chain.h"
 #include "stages/solve/hub/hub.h"
 #endif
 #include "stages/narrow_phase/manifold_reuse.h"
-#include "stages/save/saved_contact.h"
 #include "stages/solve/integrate.h"
 #include "stages/solve/prepare.h"
 #include "stages/solve/solve_pass.h"

@@ -40,6 +40,13 @@
 #define OUT_OF_LINE INLINE
 #endif
 
+// 1 in builds that must be small, as for WebAssembly: code is left out whose work other code can do.
+#ifdef SCREE_SMALL
+#define SMALL_CODE 1
+#else
+#define SMALL_CODE 0
+#endif
+
 // Marks code that few items need. Inlined on a CPU, it would take registers from all items; on a GPU, so would a call.
 #ifdef __OPENCL_C_VERSION__
 #define RARE INLINE

@@ -145,6 +145,7 @@ INLINE_MEET bool persistent_scan(const Pools* p, Run run, __global uint* table, 
 		break;
 #define CASE_WIDE(name, p) CASE_ONE(name, p)
 #define CASE_ALONE(name, p)
+#define CASE_WIDE_ALONE(name, p)
 #define CASE_GROUP(name, p)
 #define CASE_TEAM(name, p)
 

@@ -306,7 +306,7 @@ static scree_status run_persistent(Backend* b, const Step* step, const Run* runs
 		const Run* run = runs + first;
 		if (end > first)
 			TRY(run_list(run, end - first));
-		else if (end++, kernel_widths[run->kernel_id] == WIDTH_ALONE)
+		else if (end++, kernel_widths[run->kernel_id] < WIDTH_GROUP)
 			TRY(cpu->run(b, step, run, 1));
 		else if (run->end > run->begin)
 			TRY(run_groups(run));

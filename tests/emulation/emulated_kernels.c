@@ -22,6 +22,7 @@ const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_ticket
 #define GROUP_ONE(name)
 #define GROUP_WIDE(name)
 #define GROUP_ALONE(name)
+#define GROUP_WIDE_ALONE(name)
 #define GROUP_GROUP(name)               \
 	case KERNEL_##name:                 \
 		name##_group(&pools, i, bench); \

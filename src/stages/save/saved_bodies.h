@@ -107,15 +107,8 @@ KERNEL(load_body)
 {
 	const GLOBAL Word* row = saved_row(p, bodies, i);
 	size_t by = saved_by(p, bodies);
-	Word counts = row[SAVED_COUNTS * by], mask = 0, still = row[SAVED_STILL * by];
-	const GLOBAL Word* rest = row;
-	if (counts & SAVED_BODY_RESTED)
-	{
-		rest = saved_rest_at(p, still);
-		mask = rest[0];
-		still = rest[1];
-		rest += 2;
-	}
+	Word counts = row[SAVED_COUNTS * by], mask, still = row[SAVED_STILL * by];
+	const GLOBAL Word* rest = saved_open(p, (counts & SAVED_BODY_RESTED) != 0, &still, &mask);
 	p->pose[i] = make_float4(bits_float((int)row[0]), bits_float((int)row[by]), bits_float((int)row[2 * by]),
 	                         bits_float((int)row[3 * by]));
 	p->pose_low[i] = make_float2(bits_float((int)row[4 * by]), bits_float((int)row[5 * by]));

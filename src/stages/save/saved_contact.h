@@ -25,22 +25,6 @@
 #define SAVED_CONTACT_RESTED 0x40000000u // the contact has words in the rest
 #define SAVED_ODD            0x80000000u // save_contact has left the contact out
 
-#ifdef SCREE_SMALL // WebAssembly: the kernels of saved_contacts.h process all contacts, which saves 5 kB of code
-WIDE_KERNEL(save_contact)
-{
-	GLOBAL int* row = (GLOBAL int*)saved_row(p, contacts, i);
-	Int ia, ib;
-	load_int2(p->pair, i, &ia, &ib);
-	Int there = (ia >= 0) & (indices(i) < p->counters->contacts), zero = ia & 0;
-	store_int(row + saved_by(p, contacts), 0, blend_int(zero + (int)SAVED_FREE, zero + (int)SAVED_ODD, there));
-}
-
-WIDE_KERNEL(load_contact)
-{
-	(void)p;
-	(void)i;
-}
-#else
 // Returns friction, restitution, rolling lever and tangent speed of two shapes, as contact_surface_of does.
 OUT_OF_LINE void saved_surface(const Real a[8], const Real b[8], Real surface[4])
 {
@@ -115,6 +99,11 @@ WIDE_KERNEL(save_contact)
 	load_int2(p->contact_bodies, i, &body_a, &body_b);
 	load_int2(p->contact_feature, i, &feature1, &feature2);
 	Int there = (ia >= 0) & (indices(i) < p->counters->contacts), zero = ia & 0;
+	if (SMALL_CODE) // the kernels of saved_contacts.h process all contacts, which saves 5 kB
+	{
+		store_int((GLOBAL int*)row + by, 0, blend_int(zero + (int)SAVED_FREE, zero + (int)SAVED_ODD, there));
+		return;
+	}
 	ia = blend_int(zero, ia, there);
 	ib = blend_int(zero, ib, there);
 	Int a = gather_int(p->collidable_attribute, ia), b = gather_int(p->collidable_attribute, ib);
@@ -193,7 +182,7 @@ WIDE_KERNEL(load_contact)
 	size_t by = saved_by(p, contacts);
 	Int first = load_int(row, 0), traits = load_int(row + by, 0), flags = load_int(row + SAVED_FLAGS * by, 0);
 	Int alike = (traits & (int)(SAVED_FREE | SAVED_ODD)) == 0;
-	if (lane_bits(alike) == 0)
+	if (SMALL_CODE || lane_bits(alike) == 0)
 		return;
 	Int zero = first & 0, ia = blend_int(zero, first & (int)SAVED_PAIR_MASK, alike);
 	Int ib = blend_int(zero, traits & (int)SAVED_PAIR_MASK, alike), code = first >> SAVED_PAIR_BITS;
@@ -247,6 +236,5 @@ WIDE_KERNEL(load_contact)
 	saved_put(p->contact_color, i, zero + COLOR_NONE, alike);
 	saved_put(p->contact_place, i, zero - 1, alike);
 }
-#endif
 
 #endif

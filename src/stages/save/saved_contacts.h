@@ -177,7 +177,7 @@ KERNEL(load_contact_odd)
 {
 	const GLOBAL Word* row = saved_row(p, contacts, i);
 	size_t by = saved_by(p, contacts);
-	Word first = row[0], traits = row[by], mask = 0, axis = row[SAVED_AXES * by];
+	Word first = row[0], traits = row[by], mask, axis = row[SAVED_AXES * by];
 	if (i >= p->counters->contacts || !(traits & (SAVED_FREE | SAVED_ODD)))
 		return;
 	if (traits & SAVED_FREE)
@@ -185,14 +185,7 @@ KERNEL(load_contact_odd)
 		contact_clear(p, i);
 		return;
 	}
-	const GLOBAL Word* rest = row;
-	if (traits & SAVED_CONTACT_RESTED)
-	{
-		rest = saved_rest_at(p, axis);
-		mask = rest[0];
-		axis = rest[1];
-		rest += 2;
-	}
+	const GLOBAL Word* rest = saved_open(p, (traits & SAVED_CONTACT_RESTED) != 0, &axis, &mask);
 	Int2 pair = make_int2((int)(first & SAVED_PAIR_MASK), (int)(traits & SAVED_PAIR_MASK));
 	Word flags = row[SAVED_FLAGS * by], code = first >> SAVED_PAIR_BITS | (traits >> SAVED_PAIR_BITS & 7u) << 8;
 	int a = p->collidable_attribute[pair.x], b = p->collidable_attribute[pair.y];

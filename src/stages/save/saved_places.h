@@ -64,7 +64,7 @@ KERNEL(load_place)
 {
 	const GLOBAL Word* row = saved_row(p, places, i);
 	size_t by = saved_by(p, places);
-	Word name = row[0], mask = 0, first = row[by];
+	Word name = row[0], mask, first = row[by];
 	if (name & SAVED_PADDING)
 	{
 		contact_pad(p, i);
@@ -72,14 +72,7 @@ KERNEL(load_place)
 		p->contact_place_pair[i] = make_int2(0, 0);
 		return;
 	}
-	const GLOBAL Word* rest = row;
-	if (name & SAVED_PLACE_RESTED)
-	{
-		rest = saved_rest_at(p, first);
-		mask = rest[0];
-		first = rest[1];
-		rest += 2;
-	}
+	const GLOBAL Word* rest = saved_open(p, (name & SAVED_PLACE_RESTED) != 0, &first, &mask);
 	int slot = (int)(name & SAVED_SLOT_MASK), bit = 0;
 	Int2 bodies = p->contact_bodies[slot];
 	p->contact_place[slot] = i;

@@ -48,6 +48,19 @@ INLINE const GLOBAL Word* saved_rest_at(const Pools* p, Word place)
 	return saved_words(p) + p->step.saved.rest + place;
 }
 
+// Returns the words of a row's values that differ, and sets *mask to these values; 0 if the row is not `rested`. word: word of
+// the row that is the place of the rest if there is one; becomes its value.
+INLINE const GLOBAL Word* saved_open(const Pools* p, int rested, Word* word, Word* mask)
+{
+	*mask = 0;
+	if (!rested)
+		return saved_words(p);
+	const GLOBAL Word* rest = saved_rest_at(p, *word);
+	*mask = rest[0];
+	*word = rest[1];
+	return rest + 2;
+}
+
 // Writes the lanes where `wanted` is set.
 INLINE void saved_put(GLOBAL int* array, int i, Int x, Int wanted)
 {
