@@ -64,7 +64,9 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		const JointEdit after = joint_edit(world, index);
 		bool same = before.flags == after.flags && memcmp(&before.data, &after.data, sizeof after.data) == 0;
 		world->host_joints[index].seeks |= change->moves && !same;
-		world->host_joints[index].counts |= has_turns(&after) && !has_turns(&before);
+		// a new joint begins with the number of its last target
+		world->host_joints[index].counts |=
+		    has_turns(&after) && !has_turns(&before) && !world->host_joints[index].created;
 		world->chains_stale |= change->moves && !same; // branches depend on the arms of hubs
 		if (change->moves)
 			joint_anchors(world, index);
