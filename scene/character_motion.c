@@ -120,7 +120,7 @@ static scree_status take(Characters* characters, scree_world* world)
 			for (int n = 0; n < count && status == SCREE_OK; ++n)
 				if (scree_body_equals(visit->body_sensor, characters->bodies[first + n]))
 				{
-					++characters->taken;
+					++characters->state.taken;
 					status = scree_body_set_enabled(world, characters->bodies[first + n], false);
 				}
 		}
@@ -133,15 +133,15 @@ scree_status characters_move(Characters* characters, scree_world* world, int64_t
 	const Scene* scene = characters->scene;
 	if (scene->character_count == 0)
 		return SCREE_OK;
-	characters->played |= (down & characters_keys(scene)) != 0;
+	characters->state.played |= (down & characters_keys(scene)) != 0;
 	scree_status status = step > 0 ? take(characters, world) : SCREE_OK;
 	uint32_t all = 0;
 	for (int k = 0; k < scene->character_count && status == SCREE_OK; ++k)
 	{
-		uint32_t keys = characters->played ? down : script_keys(&scene->characters[k], step);
-		status = walk(characters, world, k, keys, keys & ~characters->before);
+		uint32_t keys = characters->state.played ? down : script_keys(&scene->characters[k], step);
+		status = walk(characters, world, k, keys, keys & ~characters->state.before);
 		all |= keys;
 	}
-	characters->before = all;
+	characters->state.before = all;
 	return status;
 }

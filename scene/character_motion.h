@@ -4,15 +4,20 @@
 #define CHARACTER_MOTION_H
 #include "scene/character.h"
 
+typedef struct // state of the characters beside their movers
+{
+	uint32_t before; // keys that were down in the last step for any character
+	uint32_t played; // 1 after the user has held a key; the scripts then end
+	int taken;       // number of bodies that the characters took
+} CharacterState;
+
 typedef struct
 {
 	const Scene* scene;
 	scree_body* bodies; // bodies of the scene, in the order of the file
 	int body_count;
 	scree_mover* movers; // movers of the characters
-	uint32_t before;     // keys that were down in the last step for any character
-	bool played;         // true after the user has held a key; the scripts then end
-	int taken;           // number of bodies that the characters took
+	CharacterState state;
 } Characters;
 
 // Returns the keys that characters use: bits by SceneKey.

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // player_file.c -- writes and restores the state of a scene player: a snapshot with a chunk for its characters.
 //
-// scene.movers: the movers; scene.characters: words of CharacterWords. A file of a program without scenes lacks both.
+// scene.movers: the movers; scene.characters: words of CharacterState. A file of a program without scenes lacks both.
 #include "scene/player_file.h"
 #include "platform/error.h"
 #include <string.h>
 
 #define PARTS 2
-
-typedef struct
-{
-	uint32_t before, played, taken; // as in Characters
-} CharacterWords;
 
 static size_t mover_bytes(const ScenePlayer* player)
 {
@@ -21,11 +16,10 @@ static size_t mover_bytes(const ScenePlayer* player)
 scree_status player_save(const ScenePlayer* player, const FilePart* more, int count, const void** bytes, size_t* size)
 {
 	const Characters* c = &player->characters;
-	const CharacterWords words = {c->before, c->played, (uint32_t)c->taken};
 	size_t movers = mover_bytes(player);
 	FilePart parts[PARTS + PLAYER_MORE] = {
 	    {"scene.movers", sizeof(scree_mover), c->movers, movers},
-	    {"scene.characters", 4, &words, movers > 0 ? sizeof words : 0},
+	    {"scene.characters", 4, &c->state, movers > 0 ? sizeof c->state : 0},
 	};
 	for (int k = 0; k < count; ++k)
 		parts[PARTS + k] = more[k];
@@ -36,14 +30,13 @@ scree_status player_load(ScenePlayer* player, const void* bytes, size_t size, Fi
 {
 	const Scene* scene = player->scene;
 	Characters* c = &player->characters;
-	CharacterWords words = {0};
 	scree_counters counters;
 	FilePart parts[PARTS + PLAYER_MORE] = {{.name = "scene.movers", .unit = sizeof(scree_mover)},
 	                                       {.name = "scene.characters", .unit = 4}};
 	for (int k = 0; k < count; ++k)
 		parts[PARTS + k] = more[k];
 	TRY(moment_read(bytes, size, parts, PARTS + count));
-	bool complete = parts[0].bytes == mover_bytes(player) && (parts[0].bytes == 0 || parts[1].bytes == sizeof words);
+	bool complete = parts[0].bytes == mover_bytes(player) && (parts[0].bytes == 0 || parts[1].bytes == sizeof c->state);
 	if (!complete)
 		return fail(SCREE_ERROR_INVALID, "the snapshot lacks the characters of the scene");
 	TRY(scree_world_restore(player->world, bytes, size));
@@ -54,9 +47,7 @@ scree_status player_load(ScenePlayer* player, const void* bytes, size_t size, Fi
 	if (parts[0].bytes > 0)
 	{
 		memcpy(c->movers, parts[0].values, parts[0].bytes);
-		memcpy(&words, parts[1].values, sizeof words);
-		*c =
-		    (Characters){scene, c->bodies, c->body_count, c->movers, words.before, words.played != 0, (int)words.taken};
+		memcpy(&c->state, parts[1].values, sizeof c->state);
 	}
 	player->steps = counters.steps;
 	for (int k = 0; k < count; ++k)

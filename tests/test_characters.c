@@ -42,13 +42,13 @@ static void keys_move_it(void** state)
 	NEAR(at.y, 0.61, 1e-3);
 	at = after(&town, 60, KEY_BIT(right));
 	NEAR(at.x, 4.0, 0.3);
-	assert_int_equal(town.characters.taken, 2); // the coins at 2 m and 4 m
+	assert_int_equal(town.characters.state.taken, 2); // the coins at 2 m and 4 m
 	at = after(&town, 60, KEY_BIT(right));
 	NEAR(at.x, 8.0, 0.3);
-	assert_int_equal(town.characters.taken, 3);
+	assert_int_equal(town.characters.state.taken, 3);
 	at = after(&town, 120, KEY_BIT(left));
 	NEAR(at.x, 0.4, 0.4);
-	assert_int_equal(town.characters.taken, 3);
+	assert_int_equal(town.characters.state.taken, 3);
 
 	// a key that stays down makes one jump
 	float highest = 0.0f;
@@ -100,8 +100,8 @@ static void the_scene_is_played(void** state)
 	OK(player_open(&player, scenario.context, &scenario.def));
 	for (int step = 0; step < player.scene->steps; ++step)
 		OK(player_step(&player));
-	print_message("%d of 30 coins\n", player.characters.taken);
-	assert_true(player.characters.taken >= 15);
+	print_message("%d of 30 coins\n", player.characters.state.taken);
+	assert_true(player.characters.state.taken >= 15);
 	close_text(&player);
 }
 

@@ -193,7 +193,7 @@ EMSCRIPTEN_KEEPALIVE const double* page_numbers(void)
 	                          (double)page.scene->dt,
 	                          (double)c.penetration,
 	                          (double)t.solve,
-	                          page.player.characters.taken,
+	                          page.player.characters.state.taken,
 	                          c.frozen_bodies,
 	                          c.asleep_bodies,
 	                          (double)scree_memory()};

@@ -58,7 +58,7 @@ void print_results(const ScenePlayer* player, const Totals* totals, const char* 
 		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);
 	printf("%-14s %016" PRIx64 "\n", "hash", hash);
 	if (player->scene->character_count > 0)
-		printf("%-14s %d bodies by characters\n", "taken", player->characters.taken);
+		printf("%-14s %d bodies by characters\n", "taken", player->characters.state.taken);
 	if (player->scene->fan_count == 0)
 		return;
 	const ScanSum* sum = &player->answered;

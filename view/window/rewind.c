@@ -10,9 +10,7 @@ typedef struct // state of the viewer beside the world, with which a step begins
 	int substeps;
 	Grab grab;
 	Pour pour;
-	uint32_t before; // Characters
-	bool played;
-	int taken;
+	CharacterState characters;
 } Note;
 
 static size_t mover_bytes(const Viewer* v) { return (size_t)v->session.scene->character_count * sizeof(scree_mover); }
@@ -26,9 +24,7 @@ static const void* take_note(Viewer* v)
 	note.substeps = v->session.scene->substeps;
 	note.grab = v->grab;
 	note.pour = v->tools.pour;
-	note.before = c->before;
-	note.played = c->played;
-	note.taken = c->taken;
+	note.characters = c->state;
 	memcpy(v->note, &note, sizeof note);
 	if (mover_bytes(v) > 0)
 		memcpy(v->note + sizeof note, c->movers, mover_bytes(v));
@@ -49,9 +45,7 @@ static void use_note(Viewer* v, const unsigned char* bytes)
 	v->grab = note.grab;
 	note.pour.rate = v->tools.pour.rate;
 	v->tools.pour = note.pour;
-	c->before = note.before;
-	c->played = note.played;
-	c->taken = note.taken;
+	c->state = note.characters;
 	if (mover_bytes(v) > 0)
 		memcpy(c->movers, bytes + sizeof note, mover_bytes(v));
 }
