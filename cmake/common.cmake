@@ -1,4 +1,4 @@
-# common.cmake -- builds scree_common: clock, random numbers, hash, medians, spaced names and input files for programs.
+# common.cmake -- builds scree_common: clock, random numbers, hash, medians, spaced names and files for programs.
 file(GLOB common_sources CONFIGURE_DEPENDS tools/common/*.c)
 add_library(scree_common STATIC EXCLUDE_FROM_ALL ${common_sources})
 scree_flags(scree_common)

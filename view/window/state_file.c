@@ -2,6 +2,7 @@
 // state_file.c -- saves the state of the viewer's world as a file, and loads such a file.
 #include "view/window/state_file.h"
 #include "scene/player_file.h"
+#include "tools/common/whole_file.h"
 #include "view/window/rewind.h"
 #include "view/window/viewer.h"
 #include <errno.h>
@@ -31,42 +32,10 @@ void state_save(Viewer* v)
 		viewer_show(v, scree_error());
 		return;
 	}
-	errno = 0;
-	FILE* file = fopen(path, "wb");
-	bool good = file && fwrite(bytes, 1, size, file) == size;
-	good = file && fclose(file) == 0 && good;
+	bool good = whole_file_write(path, bytes, size);
 	if (good)
 		memcpy(v->saved, path, sizeof v->saved);
 	say(v, good ? "the state is" : "cannot write", path, good ? "" : strerror(errno));
-}
-
-// Reads a file. The caller frees the bytes. Returns null on failure, with the reason in errno.
-static void* read_file(const char* path, size_t* size)
-{
-	FILE* file = fopen(path, "rb");
-	unsigned char* bytes = NULL;
-	size_t capacity = 0;
-	*size = 0;
-	while (file && !feof(file) && !ferror(file))
-	{
-		if (*size == capacity)
-		{
-			capacity = 2 * capacity + 65536;
-			unsigned char* more = realloc(bytes, capacity);
-			if (!more)
-				break;
-			bytes = more;
-		}
-		*size += fread(bytes + *size, 1, capacity - *size, file);
-	}
-	bool good = file && feof(file) && !ferror(file);
-	int error = errno;
-	if (file)
-		fclose(file);
-	if (!good)
-		free(bytes);
-	errno = error;
-	return good ? bytes : NULL;
 }
 
 // Restores the world, and begins a new time line. A snapshot of another scene may have fewer bodies, which churn would miss.
@@ -98,18 +67,17 @@ static bool restore(Viewer* v, const char* path, const void* bytes, size_t size)
 
 bool state_load(Viewer* v, const char* path)
 {
-	size_t size;
+	FileBytes file;
 	path = path ? path : v->saved;
 	if (!*path)
 	{
 		viewer_show(v, "no state has been saved yet");
 		return false;
 	}
-	void* bytes = read_file(path, &size);
-	if (!bytes)
+	if (!whole_file_read(path, &file))
 		return say(v, "cannot read", path, strerror(errno));
-	bool good = restore(v, path, bytes, size);
-	free(bytes);
+	bool good = restore(v, path, file.bytes, file.size);
+	free(file.bytes);
 	return good;
 }
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// whole_file.h -- reads and writes whole files.
+#ifndef WHOLE_FILE_H
+#define WHOLE_FILE_H
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct
+{
+	void* bytes;
+	size_t size;
+} FileBytes;
+
+// Reads a file or a pipe until its end. The caller frees the bytes. On failure returns false; errno has the reason.
+bool whole_file_read(const char* path, FileBytes* to);
+
+// Writes a file. On failure returns false; errno has the reason.
+bool whole_file_write(const char* path, const void* bytes, size_t size);
+
+#endif
