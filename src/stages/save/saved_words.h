@@ -50,7 +50,7 @@ INLINE const GLOBAL Word* saved_rest_at(const Pools* p, Word place)
 
 // Returns the words of a row's values that differ, and sets *mask to these values; 0 if the row is not `rested`. word: word of
 // the row that is the place of the rest if there is one; becomes its value.
-INLINE const GLOBAL Word* saved_open(const Pools* p, int rested, Word* word, Word* mask)
+OUT_OF_LINE const GLOBAL Word* saved_open(const Pools* p, int rested, Word* word, Word* mask)
 {
 	*mask = 0;
 	if (!rested)
