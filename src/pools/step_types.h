@@ -45,6 +45,7 @@ typedef struct // softness of a contact: factors of the bias pass. Source: Erin 
 #define SAVED_COLLIDABLE_WORDS 6
 #define SAVED_CONTACT_WORDS    9
 #define SAVED_PLACE_WORDS      5
+#define SAVED_JOINT_WORDS      7
 // Numbers of bits of the index of a collidable and of that of a contact slot in these words.
 #define SAVED_PAIR_BITS 24
 #define SAVED_SLOT_BITS 27
@@ -57,7 +58,7 @@ typedef struct // a part of a save: its first word, and the number of its items,
 typedef struct // places of a save in the pool saved, in words from item `first` on; only kernels of saves read this
 {
 	int first;
-	SavedPart bodies, collidables, contacts, places;
+	SavedPart bodies, collidables, contacts, places, joints;
 	int rest, room; // first word for values that differ from their predictions; number of such words
 } SavedLayout;
 

@@ -52,5 +52,6 @@ SMALL_BEGIN
 #include "stages/read/hash.h"
 #include "stages/save/saved_bodies.h"
 #include "stages/save/saved_collidables.h"
+#include "stages/save/saved_joints.h"
 #include "stages/save/saved_places.h"
 SMALL_END

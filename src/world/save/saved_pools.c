@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // saved_pools.c -- copies items of pools to the pool `saved` and back, without the bus. A save contains the pools that
 // outlive a step. Pools that only calls of the user change belong to the structure. Kernels pack the pools of bodies,
-// collidables and contacts (src/stages/save/); the others are copied whole.
+// collidables, contacts and joints (src/stages/save/); the others are copied whole.
 #include "world/save/saved_pools.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -43,15 +43,20 @@ static bool is_structure(PoolId pool)
 	}
 }
 
+#define NO_KERNEL (-1)
+
 static bool is_packed(PoolId pool)
 {
 	switch (pool_info[pool].per)
 	{
 	case PER_BODY:
 	case PER_COLLIDABLE:
-	case PER_CONTACT:
-	case PER_CONTACT_PLACE:
-	case PER_CONTACT_BLOCK:
+#define CONSTRAINT_KIND(kind, Kind, KIND) \
+	case PER_##KIND:                      \
+	case PER_##KIND##_PLACE:              \
+	case PER_##KIND##_BLOCK:
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
 		return !is_structure(pool);
 	default:
 		return false;
@@ -149,6 +154,7 @@ int64_t saved_words_count(const scree_world* world, int first, SavedLayout* layo
 	layout->collidables = part(&at, SAVED_COLLIDABLE_WORDS, collidables);
 	layout->contacts = part(&at, SAVED_CONTACT_WORDS, contacts);
 	layout->places = part(&at, SAVED_PLACE_WORDS, places);
+	layout->joints = part(&at, SAVED_JOINT_WORDS, lasting_items(world, PER_JOINT));
 	layout->rest = at;
 	return at;
 }
@@ -166,13 +172,16 @@ scree_status saved_words_run(const scree_world* world, const Save* save, bool ba
 	               {POOL_box, KERNEL_save_collidable, KERNEL_load_collidable},
 	               {POOL_pair, KERNEL_save_contact, KERNEL_load_contact},
 	               {POOL_pair, KERNEL_save_contact_odd, KERNEL_load_contact_odd},
-	               {POOL_contact_place_slot, KERNEL_save_place, KERNEL_load_place}};
+	               {POOL_contact_place_slot, KERNEL_save_place, KERNEL_load_place},
+	               {POOL_joint_place_slot, NO_KERNEL, KERNEL_load_joint_place},
+	               {POOL_joint_flags, KERNEL_save_joint, KERNEL_load_joint}};
 	Run runs[sizeof kernels / sizeof *kernels];
 	int count = 0;
 	for (size_t k = 0; k < sizeof kernels / sizeof *kernels; ++k)
-		if (save->counts[kernels[k].items] > 0)
-			runs[count++] = (Run){.kernel_id = back ? kernels[k].load : kernels[k].save,
-			                      .end = save->counts[kernels[k].items],
-			                      .count = NO_COUNT};
+	{
+		int kernel = back ? kernels[k].load : kernels[k].save;
+		if (kernel != NO_KERNEL && save->counts[kernels[k].items] > 0)
+			runs[count++] = (Run){.kernel_id = kernel, .end = save->counts[kernels[k].items], .count = NO_COUNT};
+	}
 	return world->backend->f->run(world->backend, &step, runs, count);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // pool_columns.c -- lists the columns of the pools that a snapshot contains. Pools are those that outlive a step, without
 // those that follow from other data. Their columns are the words of an item, named by their offsets. In pools of rows,
-// each row is a column. Rows that every step prepares are left out, except those that the user may read after the step.
+// each row is a column. Rows that every step prepares are left out, except those of contacts that the user may read after
+// the step.
 #include "world/snapshot/pool_columns.h"
 #include "constraints/constraint_kinds.h"
 #include "platform/error.h"
@@ -14,8 +15,8 @@
 #define ROW_COLUMN(type, row)                                    {#row, offsetof(struct type, row), sizeof MEMBER_OF(struct type, row), 1, COLUMN_ZERO},
 #define ROW_CONTACT(name, gate, life, inert, read, written)      SAVED_##life(ROW_COLUMN(ContactRows, name))
 #define ROW_CONTACT_RARE(name, gate, life, inert, read, written) SAVED_##life(ROW_COLUMN(ContactRareRows, name))
-#define ROW_JOINT(name, gate, life, inert, read, written)        ROW_COLUMN(JointRows, name)
-#define ROW_JOINT_RARE(name, gate, life, inert, read, written)   ROW_COLUMN(JointRareRows, name)
+#define ROW_JOINT(name, gate, life, inert, read, written)        SAVED_##life(ROW_COLUMN(JointRows, name))
+#define ROW_JOINT_RARE(name, gate, life, inert, read, written)   SAVED_##life(ROW_COLUMN(JointRareRows, name))
 
 static const Column contact_rows[] = {ROW_COLUMN(ContactRows, body_a) ROW_COLUMN(ContactRows, body_b)
                                           CONTACT_ROWS(ROW_CONTACT)};

@@ -70,13 +70,22 @@ static size_t largest_pool(const scree_world* world)
 	return largest;
 }
 
-// Clears values of contacts that are left over from earlier, so that equal worlds have equal snapshots.
+// Clears values of contacts and joints that are left over from earlier, so that equal worlds have equal snapshots.
 static scree_status tidy(scree_world* world)
 {
-	int slots = lasting_items(world, PER_CONTACT), places = lasting_items(world, PER_CONTACT_PLACE);
 	const Step step = {0};
-	const Run run = {.kernel_id = KERNEL_contact_tidy, .end = slots > places ? slots : places, .count = NO_COUNT};
-	return run.end > 0 ? world_note(world, world->backend->f->run(world->backend, &step, &run, 1)) : SCREE_OK;
+	Run runs[CONSTRAINT_KINDS];
+	int count = 0;
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                \
+	{                                                                                                    \
+		int slots = lasting_items(world, PER_##KIND), places = lasting_items(world, PER_##KIND##_PLACE); \
+		runs[count] = (Run){.kernel_id = KERNEL_##kind##_tidy, .end = slots > places ? slots : places};  \
+		runs[count].count = NO_COUNT;                                                                    \
+		count += runs[count].end > 0;                                                                    \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	return count > 0 ? world_note(world, world->backend->f->run(world->backend, &step, runs, count)) : SCREE_OK;
 }
 
 scree_status snapshot_write(scree_world* world, const char* function, ChunkWriter* writer)
