@@ -102,11 +102,22 @@ static void end_fault(void)
 	assert_true(hash_of(bystander) == hash_of(twin));
 }
 
+// Returns whether the function that failed describes devices or platforms, and the machine has several. The failure then
+// excludes only one of them.
+static bool is_of_another_device(void)
+{
+	scree_device devices[8];
+	int count;
+	OK(scree_devices_get(devices, 8, &count));
+	return count > 2 && (strstr(layer->failed, "clGetDeviceInfo") || strstr(layer->failed, "clGetPlatformInfo") ||
+	                     strstr(layer->failed, "clGetDeviceIDs"));
+}
+
 // Checks the status and the message of the public call that contains the fault. Returns whether the call succeeded.
 static bool is_tolerated(scree_status status, const char* act, Kind kind)
 {
 	bool logged = strstr(warnings, layer->failed);
-	if (status == SCREE_OK && (logged || kind.fault >= LAYER_HANGS))
+	if (status == SCREE_OK && (logged || kind.fault >= LAYER_HANGS || is_of_another_device()))
 		return true;
 	if (status == SCREE_OK)
 		fail_msg("%s succeeds although call %ld, %s, failed", act, layer->fault_at, layer->failed);

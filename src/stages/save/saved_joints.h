@@ -110,8 +110,8 @@ KERNEL(load_joint)
 }
 
 // Clears the values of slot or place i that are left over from earlier and that nothing reads, so that snapshots do not
-// depend on them: the kept values of a joint with a place, an event of an earlier step, and padding, whose angles are those
-// of another joint.
+// depend on them: the kept values of a joint with a place, an event of an earlier step, and padding, whose rows follow
+// from another joint.
 KERNEL(joint_tidy)
 {
 	const GLOBAL Counters* c = p->counters;
