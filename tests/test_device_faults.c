@@ -350,6 +350,7 @@ static bool build_with_fault(const Device* device, Kind kind, long calls)
 	begin_fault(kind, -1, calls);
 	scree_status status = program_build(&failure, context, device, "", text, sizeof text - 1, &program);
 	assert_true((status == SCREE_OK) == (program != NULL));
+	assert_false(program && context_failed(&failure));
 	bool failed = layer->failed;
 	if (status != SCREE_OK)
 		assert_non_null(strstr(scree_error(), opencl_error_name(kind.code)));

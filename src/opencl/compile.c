@@ -110,5 +110,7 @@ scree_status program_build(ContextFailure* failure, cl_context context, const De
 	}
 	if (!device->compiles_at_launch)
 		to_cache(failure, *program, key);
-	return SCREE_OK;
+	if (context_failed(failure)) // otherwise only the cache lacks the program
+		*program = NULL;
+	return context_check(failure, "clGetProgramInfo", context_error(failure));
 }
