@@ -195,13 +195,16 @@ static void draw_splat(Picture* p, const scree_shape* shape, scree_pose pose, Co
 	}
 }
 
-// Draws Cairo's current path as a sensor: an outline, tinted if a collidable is inside.
-static void draw_sensor(Picture* p, const Sprite* s, double line)
+// Draws Cairo's current path as a sensor: an outline, tinted if a collidable is inside or the sensor is small. reach,
+// line: px.
+static void draw_sensor(Picture* p, const Sprite* s, double reach, double line)
 {
 	const Color c = SENSOR_COLOR;
-	if (sensor_visited(p->world, s->collidable))
+	bool small = reach < (double)COIN_REACH;
+	if (small || sensor_visited(p->world, s->collidable))
 	{
-		cairo_set_source_rgba(p->cairo, c.r / 255.0, c.g / 255.0, c.b / 255.0, (double)SENSOR_TINT);
+		double tint = (double)(small ? COIN_TINT : SENSOR_TINT);
+		cairo_set_source_rgba(p->cairo, c.r / 255.0, c.g / 255.0, c.b / 255.0, tint);
 		cairo_fill_preserve(p->cairo);
 	}
 	set_color(p->cairo, c, 1);
@@ -218,7 +221,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	cairo_set_line_width(p->cairo, line);
 	if (s->sensor)
 	{
-		draw_sensor(p, s, line);
+		draw_sensor(p, s, reach, line);
 		return;
 	}
 	if (shape->kind == SCREE_SHAPE_SEGMENT || s->body < 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sprites.c -- lists the shapes and colors of a picture; uses only the public interface of Scree.
 #include "scene/sprites.h"
+#include "scene/block.h"
 #include <stdlib.h>
 
 static bool use_attribute(Sprites* p, scree_world* world, scree_attribute attribute)
@@ -76,6 +77,15 @@ static bool add_body(Sprites* p, scree_world* world, scree_body body, int positi
 	return good;
 }
 
+// Returns whether a body shows a character. In the world of a scene, the first body has the index 1.
+static bool shows_character(const Scene* scene, scree_body body)
+{
+	for (int k = 0; scene && k < scene->character_count; ++k)
+		if ((int64_t)body.index - 1 == block_first(scene, scene->characters[k].block))
+			return true;
+	return false;
+}
+
 bool sprites_list(Sprites* p, const Scene* scene, scree_world* world)
 {
 	if (scree_world_get_bodies(world, NULL, 0, &p->body_count) != SCREE_OK)
@@ -92,8 +102,12 @@ bool sprites_list(Sprites* p, const Scene* scene, scree_world* world)
 			if (scree_body_get_type(world, p->bodies[k], &type) != SCREE_OK)
 				return false;
 			int shade = shade_next(&walk, p->bodies[k].index);
+			int first = p->count;
 			if ((type == SCREE_BODY_DYNAMIC) == moving && !add_body(p, world, p->bodies[k], k, moving, shade))
 				return false;
+			for (int s = first; s < p->count && type == SCREE_BODY_KINEMATIC; ++s)
+				if ((p->list[s].character = shows_character(scene, p->bodies[k])))
+					p->list[s].color = CHARACTER_COLOR;
 		}
 		if (!moving)
 			p->first_moving = p->count;

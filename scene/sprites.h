@@ -8,9 +8,13 @@
 #define BACKGROUND_COLOR ((Color){247, 245, 240})
 #define TEXT_COLOR       ((Color){70, 68, 64})
 
-// color of a sensor: an outline, tinted while a collidable is inside
+// color of a sensor: an outline, tinted while a collidable is inside; small sensors, such as coins, are filled
 #define SENSOR_COLOR ((Color){38, 138, 94})
 #define SENSOR_TINT  0.22f // opacity of the tint
+#define COIN_TINT    0.55f // opacity of small sensors
+#define COIN_REACH   16.0f // px: largest reach of a small sensor; body.vert uses the same numbers
+
+#define CHARACTER_COLOR ((Color){196, 62, 40}) // color of the bodies that show characters; row.glsl uses the same
 
 typedef struct // collidable to draw
 {
@@ -20,6 +24,7 @@ typedef struct // collidable to draw
 	Color color;
 	uint8_t shade;               // shade of the attribute
 	bool sensor;                 // true: drawn as a sensor
+	bool character;              // true: shows a character of the scene
 	scree_collidable collidable; // may be destroyed, because a scene may replace bodies
 } Sprite;
 

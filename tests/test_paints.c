@@ -128,7 +128,7 @@ static void boxes_leave_out_what_is_far_away(void** state)
 	assert_true(box.lower.x == -30.0f && box.lower.y == 2.0f && box.upper.x == 4.0f && box.upper.y == 40.0f);
 }
 
-// Checks that every paint except PAINT_ATTRIBUTE has a legend, with ticks in rising order.
+// Checks that every paint except PAINT_KIND has a legend, with ticks in rising order.
 static void legends_have_numbers(void** state)
 {
 	(void)state;
@@ -139,7 +139,7 @@ static void legends_have_numbers(void** state)
 	{
 		Style style = {.paint = (Paint)k};
 		Legend legend;
-		assert_int_equal(legend_of_paint(&legend, &renderer, &style), k != PAINT_ATTRIBUTE);
+		assert_int_equal(legend_of_paint(&legend, &renderer, &style), k != PAINT_KIND);
 		for (int n = 0; n + 1 < legend.tick_count; ++n)
 			assert_true(legend.ticks[n].at >= 0.0f && legend.ticks[n].at < legend.ticks[n + 1].at);
 		if (k == PAINT_FORCE)
@@ -148,7 +148,7 @@ static void legends_have_numbers(void** state)
 			assert_string_equal(legend.ticks[1].text, "5000"); // middle of a square-root scale: a quarter of 20 kN
 			assert_string_equal(legend.ticks[2].text, "20 k");
 		}
-		if (k == PAINT_GRAPH)
+		if (k == PAINT_SOLVER)
 			assert_string_equal(legend.ticks[2].text, "hub");
 		if (k == PAINT_SPEED)
 			assert_true(legend.ticks[2].at == 0.5f && strcmp(legend.ticks[2].text, "3") == 0);
@@ -173,7 +173,7 @@ static void the_ramp_of_force_rises(void** state)
 		    after = 3 * colors[k + 1].r + 6 * colors[k + 1].g + colors[k + 1].b;
 		assert_true(after > before);
 	}
-	assert_false(ramp_of(PAINT_ATTRIBUTE, colors));
+	assert_false(ramp_of(PAINT_KIND, colors));
 }
 
 int main(void)

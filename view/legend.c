@@ -83,12 +83,12 @@ bool legend_of_paint(Legend* legend, const Renderer* r, const Style* style)
 {
 	static const char* const titles[PAINTS] = {
 	    [PAINT_SPEED] = "speed, m/s",
-	    [PAINT_GRAPH] = "highest graph color of the contacts",
+	    [PAINT_SOLVER] = "group of the contacts in the solver",
 	    [PAINT_FORCE] = "contact force, N",
-	    [PAINT_START] = "where bodies began",
+	    [PAINT_ORIGIN] = "where bodies began",
 	    [PAINT_TYPE] = "type",
 	};
-	*legend = (Legend){.blocks = style->paint == PAINT_GRAPH || style->paint == PAINT_TYPE};
+	*legend = (Legend){.blocks = style->paint == PAINT_SOLVER || style->paint == PAINT_TYPE};
 	if (!titles[style->paint])
 		return false;
 	snprintf(legend->title, sizeof legend->title, "%s", titles[style->paint]);
@@ -99,13 +99,13 @@ bool legend_of_paint(Legend* legend, const Renderer* r, const Style* style)
 		add_speeds(legend);
 	if (style->paint == PAINT_FORCE)
 		add_force_ticks(legend, r->tables.force_range);
-	if (style->paint == PAINT_GRAPH)
+	if (style->paint == PAINT_SOLVER)
 		add_graph(legend, r);
 	if (style->paint == PAINT_TYPE)
 		add_types(legend, style);
 	for (int k = 0; k < legend->tick_count && legend->blocks; ++k)
 		legend->ticks[k].at = ((float)k + 0.5f) / (float)legend->tick_count;
-	if (style->paint != PAINT_START)
+	if (style->paint != PAINT_ORIGIN)
 		return legend->color_count > 0;
 	for (int k = 0; k < RAMP_COLORS; ++k)
 	{

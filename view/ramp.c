@@ -25,7 +25,7 @@ bool ramp_of(Paint paint, Color colors[RAMP_COLORS])
 {
 	const Color* stops = paint == PAINT_SPEED   ? speeds
 	                     : paint == PAINT_FORCE ? forces
-	                     : paint == PAINT_START ? places
+	                     : paint == PAINT_ORIGIN ? places
 	                                            : NULL;
 	const int last = paint == PAINT_SPEED ? 2 : 4;
 	for (int k = 0; k < RAMP_COLORS && stops; ++k)

@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define KIND_CHARACTER \
+	3 // kind of a body that shows a character, beside the types of bodies; row.glsl uses the same number
+
 #define TEXELS 9   // texels per attribute, as in row.glsl and body.frag
 #define SIZES  256 // maximum number of shapes that are examined to find the typical size
 
@@ -98,7 +101,7 @@ static void find_size(RenderTables* tables, const Sprites* sprites)
 	free(defs);
 }
 
-// Fills the table of kinds with one byte per body: type plus 4 times shade. Computes the box of the dynamic bodies, and
+// Fills the table of kinds with one byte per body: type, or KIND_CHARACTER, plus 4 times shade. Computes the box of the dynamic bodies, and
 // the starting places of all bodies. Dynamic bodies begin at index first_moving in the list of sprites.
 static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 {
@@ -117,7 +120,7 @@ static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 		scree_body_type type;
 		int body = sprites->list[k].body;
 		good = scree_body_get_type(tables->world, tables->bodies[body], &type) == SCREE_OK;
-		kinds[tables->bodies[body].index] = (uint8_t)type;
+		kinds[tables->bodies[body].index] = sprites->list[k].character ? KIND_CHARACTER : (uint8_t)type;
 	}
 	for (int k = sprites->first_moving; good && k < sprites->count; ++k)
 	{

@@ -96,15 +96,15 @@ scree_status renderer_fetch(Renderer* r, const Camera* camera, const Style* styl
 	if (style->paint == PAINT_SPEED || style->layers[LAYER_velocities])
 		status = paint_tables_fill_velocities(&r->tables);
 	if (status == SCREE_OK &&
-	    (style->paint == PAINT_GRAPH || style->paint == PAINT_FORCE || style->layers[LAYER_contacts] ||
+	    (style->paint == PAINT_SOLVER || style->paint == PAINT_FORCE || style->layers[LAYER_contacts] ||
 	     style->layers[LAYER_normals] || style->layers[LAYER_impulses]))
 		status = fetch_contacts(r);
-	if (status == SCREE_OK && style->paint == PAINT_GRAPH)
+	if (status == SCREE_OK && style->paint == PAINT_SOLVER)
 		paint_tables_fill_graph(&r->tables, r->contacts, r->contact_count);
 	if (status == SCREE_OK && style->paint == PAINT_FORCE)
 		paint_tables_fill_forces(&r->tables, r->contacts, r->contact_count,
 		                         r->scene ? r->scene->dt / (float)r->scene->substeps : SUBSTEP);
-	if (status == SCREE_OK && style->paint == PAINT_START)
+	if (status == SCREE_OK && style->paint == PAINT_ORIGIN)
 		status = paint_tables_fill_starts(&r->tables);
 	if (status == SCREE_OK && style->layers[LAYER_joints])
 		status = fetch_joints(r);

@@ -56,7 +56,7 @@ bool style_read(Style* style, const char* paint, const char* layers, char* sente
 	*style = (Style){.detail = 1.0f, .rays = RAYS_DRAWN};
 	style->layers[LAYER_joints] = style->layers[LAYER_fields] = style->layers[LAYER_sensors] = !layers;
 	style->layers[LAYER_rays] = !layers;
-	int found = paint ? find_name(paint_names, PAINTS, paint, strlen(paint)) : PAINT_ATTRIBUTE;
+	int found = paint ? find_name(paint_names, PAINTS, paint, strlen(paint)) : PAINT_KIND;
 	if (found < 0)
 	{
 		list_names(paint_names, PAINTS, names, sizeof names);
@@ -64,7 +64,7 @@ bool style_read(Style* style, const char* paint, const char* layers, char* sente
 		return false;
 	}
 	style->paint = (Paint)found;
-	style->graph = style->paint == PAINT_GRAPH;
+	style->graph = style->paint == PAINT_SOLVER;
 	while (layers && *layers)
 	{
 		size_t length = strcspn(layers, ",");

@@ -13,7 +13,7 @@ const HEIGHT = 200 + 36;
 
 const [scree = 'build/scree', build = 'build', out = 'build/web'] = process.argv.slice(2);
 const source = new URL('..', import.meta.url).pathname;
-const { scenes: list } = JSON.parse(readFileSync(join(source, 'web/start.json'), 'utf8'));
+const { scenes: list, links } = JSON.parse(readFileSync(join(source, 'web/start.json'), 'utf8'));
 
 const readScene = (name) => JSON.parse(readFileSync(join(source, 'scenes', `${name}.json`), 'utf8'));
 
@@ -59,4 +59,7 @@ for (const scene of list) {
 	copyFileSync(join(source, 'scenes', `${scene.name}.json`), join(out, 'scenes', `${scene.name}.json`));
 	draw(scene);
 }
+const anchors = Object.entries(links).map(([name, address]) => `<a href="${address}">${name}</a>`);
+const index = readFileSync(join(source, 'web/page/index.html'), 'utf8');
+writeFileSync(join(out, 'index.html'), index.replace('<nav id="links" aria-label="Source and documents">', (text) => text + anchors.join('')));
 writeFileSync(join(out, 'scenes.json'), JSON.stringify(list.map(describe)));

@@ -25,6 +25,7 @@ typedef struct
 	Camera camera;
 	Style style;
 	Inspected hovered, selected;
+	bool tracks;             // true if the picture follows the first character
 	bool follows;            // true if the picture follows the selected body, which moves to the middle and stays there
 	scree_vec behind;        // m: vector from the followed body to the middle of the picture; shrinks to 0
 	char sentence[SENTENCE]; // error of the last call

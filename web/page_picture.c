@@ -8,6 +8,9 @@
 
 #define COARSE       4.0f // px: value of Style.detail if drawing is slow
 #define SLOW_RAYS    3000 // value of Style.rays if drawing is slow
+#define CLOSER       2.5f // largest factor by which a narrow picture shows a part of a wide scene
+#define WORTH        1.3f // smallest one
+#define NARROW_PART  0.8f // fraction of the height of a narrow picture that the scene fills then
 #define THREAD_COLOR ((Color){187, 53, 44})
 
 // Opens the renderer in the current WebGL 2 context. Returns false on failure.
@@ -33,15 +36,31 @@ EMSCRIPTEN_KEEPALIVE void page_close_picture(void)
 
 EMSCRIPTEN_KEEPALIVE void page_resize(int width, int height) { camera_resize(&page.camera, width, height); }
 
-// Shows the whole scene in the picture.
-EMSCRIPTEN_KEEPALIVE void page_fit(void)
+// Shows the whole scene in the picture. In a picture as narrow as that of a phone (`narrow`), a wide scene would be small:
+// if it has a character, the picture shows a part and follows the character. Returns true if the scene is small nevertheless.
+EMSCRIPTEN_KEEPALIVE bool page_fit(bool narrow)
 {
-	if (page.scene && page.drawn)
-		camera_fit(&page.camera, render_tables_view(&page.renderer.tables, page.scene), page.camera.width,
-		           page.camera.height);
+	page.tracks = false;
+	if (!page.scene || !page.drawn)
+		return false;
+	const scree_box box = render_tables_view(&page.renderer.tables, page.scene);
+	Camera* camera = &page.camera;
+	camera_fit(camera, box, camera->width, camera->height);
+	float wide = (box.upper.x - box.lower.x) / fmaxf(box.upper.y - box.lower.y, 1.0e-6f);
+	float closer = fminf(CLOSER, NARROW_PART * wide * (float)camera->height / (float)camera->width);
+	if (!narrow || closer < WORTH)
+		return false;
+	page.tracks = page.scene->character_count > 0;
+	camera->scale *= page.tracks ? closer : 1.0f;
+	return !page.tracks;
 }
 
-EMSCRIPTEN_KEEPALIVE void page_pan(float x, float y) { camera_pan(&page.camera, x, y); }
+EMSCRIPTEN_KEEPALIVE void page_pan(float x, float y)
+{
+	page.tracks = false;
+	camera_pan(&page.camera, x, y);
+}
+
 EMSCRIPTEN_KEEPALIVE void page_zoom(float x, float y, float factor) { camera_zoom(&page.camera, x, y, factor); }
 EMSCRIPTEN_KEEPALIVE float page_scale(void) { return page.camera.scale; } // px per metre of the world
 
@@ -58,7 +77,7 @@ EMSCRIPTEN_KEEPALIVE void page_style(int paint, uint32_t layers, bool slow, bool
 {
 	page.style.dark = dark;
 	page.style.paint = (Paint)paint;
-	page.style.graph = paint == PAINT_GRAPH;
+	page.style.graph = paint == PAINT_SOLVER;
 	for (int k = 0; k < LAYERS; ++k)
 		page.style.layers[k] = layers >> k & 1;
 	page.style.detail = slow ? COARSE : 1.0f;
@@ -126,6 +145,11 @@ static void follow(void)
 	page.follows = page.follows && inspect_place(&page.selected, page.player.world, &at);
 	if (page.follows)
 		camera_follow(&page.camera, at, middle(), &page.behind);
+	else if (page.tracks)
+	{
+		scree_vec none = {0.0f, 0.0f};
+		camera_follow(&page.camera, page.player.characters.movers[0].position, middle(), &none);
+	}
 }
 
 EMSCRIPTEN_KEEPALIVE bool page_draw(void)

@@ -98,12 +98,12 @@ async function checkLegends(browser, check) {
 		await browser.run(`[...document.querySelectorAll('#paints label')].find((label) => label.textContent === args[0]).querySelector('input').click(); await scree.host.ask({ type: 'look' })`, name);
 		return (await text(browser, 'legends')).replaceAll('\n', ' ');
 	};
-	check((await choose('attribute')) === '', 'the first paint needs no legend');
+	check((await choose('kind')) === '', 'the first paint needs no legend');
 	check((await choose('speed')) === 'speed, m/s 0 1 3 9 ∞', 'the legend of speeds');
 	check(/^contact force, N 0 \S+( k)? \S+( k)?$/.test(await choose('force')), `the legend of forces: ${await choose('force')}`);
-	check((await choose('start')) === 'where bodies began left right', 'the legend of starts');
+	check((await choose('origin')) === 'where bodies began left right', 'the legend of starts');
 	check((await choose('type')) === 'type static kinematic dynamic', 'the legend of types');
-	check(/^highest graph color of the contacts 0( \d+)*( hub)?$/.test(await choose('graph')), `the legend of the graph: ${await choose('graph')}`);
+	check(/^group of the contacts in the solver 0( \d+)*( hub)?$/.test(await choose('solver')), `the legend of the groups: ${await choose('solver')}`);
 	// the picture has the colors of the legend
 	await choose('type');
 	const [bar, common] = await browser.run(`const { pixels } = await scree.host.ask({ type: 'look' }); const seen = new Map();
@@ -114,7 +114,7 @@ async function checkLegends(browser, check) {
 	// the shade of a color varies a little from body to body
 	const found = common.filter((seen) => colors.some((color) => color.every((c, k) => Math.abs(c - seen[k]) < 8)));
 	check(found.length === 2, `of ground, walls and bodies two have colors of the legend: ${common.join(' ')} in ${bar}`);
-	await choose('attribute');
+	await choose('kind');
 	await begin(browser, 'bridge', [], 2);
 	check(/^force of joints, N 0 /.test((await text(browser, 'legends')).replaceAll('\n', ' ')), 'the legend of joints');
 }

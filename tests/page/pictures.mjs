@@ -12,12 +12,12 @@ import { readPng } from './png.mjs';
 const WIDTH = 400, HEIGHT = 436, CAPTION = 36; // px: the command line draws no legend in a picture of this size
 const MEAN = 0.5, FAR = 0.001;
 const CASES = [
-	{ name: 'pile', steps: 90, settings: [['count', '300']], paint: 'attribute', layers: ['joints'] },
+	{ name: 'pile', steps: 90, settings: [['count', '300']], paint: 'kind', layers: ['joints'] },
 	{ name: 'ragdolls', steps: 80, settings: [['columns', '3'], ['rows', '2']], paint: 'speed', layers: ['joints', 'contacts', 'velocities'] },
-	{ name: 'pond', steps: 40, settings: [['fish', '100'], ['stones', '60']], paint: 'attribute', layers: ['fields', 'sensors', 'boxes'] },
+	{ name: 'pond', steps: 40, settings: [['fish', '100'], ['stones', '60']], paint: 'kind', layers: ['fields', 'sensors', 'boxes'] },
 	{ name: 'drift', steps: 10, settings: [['boxes', '9000']], paint: 'speed', layers: ['normals'] }, // small bodies, drawn as splats
-	{ name: 'dominoes', steps: 150, settings: [], paint: 'attribute', layers: [] }, // most bodies are asleep, and dim
-	{ name: 'lidar', steps: 12, settings: [['robots', '20'], ['rays', '40']], paint: 'graph', layers: ['rays', 'sensors'] },
+	{ name: 'dominoes', steps: 150, settings: [], paint: 'kind', layers: [] }, // most bodies are asleep, and dim
+	{ name: 'lidar', steps: 12, settings: [['robots', '20'], ['rays', '40']], paint: 'solver', layers: ['rays', 'sensors'] },
 ];
 
 function native(scree, folder, { name, steps, settings, paint, layers }) {

@@ -92,6 +92,20 @@ export async function replay(browser, link) {
 	await browser.until(`scree.state.paused && document.querySelector('.note[data-name=replayed]')`, 'the replay of a link');
 }
 
+// Changes gravity by its slider, and removes the body that a click selects. count: function for the number of dynamic bodies.
+async function changeWorld(browser, count, check) {
+	await browser.run(`const slider = document.getElementById('gravity-y'); slider.value = 4; slider.dispatchEvent(new Event('input'))`);
+	await step(browser, 5);
+	check((await browser.run(`return scree.state.gravity`)) === 4, 'the slider sets gravity');
+	const before = await count();
+	const at = await overBody(browser);
+	for (const phase of ['down', 'up']) await browser.point('mouse', phase, at.x, at.y);
+	await browser.run(`await scree.host.ask({ type: 'looked' })`);
+	await browser.run(`document.getElementById('remove').click()`);
+	await step(browser, 5);
+	check((await count()) === before - 1, 'the selected body is removed');
+}
+
 // Throws, blasts, pours and drags. Then opens the link to these actions in a fresh page, and checks the result. Returns
 // the link and the record of the actions.
 async function checkLink(browser, address, check) {
@@ -132,9 +146,10 @@ async function checkLink(browser, address, check) {
 	}
 	await browser.point('mouse', 'up', held.x + 40, held.y - 50);
 	await step(browser, 15);
+	await changeWorld(browser, count, check);
 	const mine = await record(browser);
 	const kinds = new Set(mine.actions.map(({ kind }) => kind));
-	check(['throw', 'blast', 'pour', 'pick', 'pull', 'release'].every((kind) => kinds.has(kind)), `throw, blast, pouring and drag are recorded: ${[...kinds]}`);
+	check(['throw', 'blast', 'pour', 'pick', 'pull', 'release', 'gravity', 'remove'].every((kind) => kinds.has(kind)), `throw, blast, pouring, drag, gravity and removal are recorded: ${[...kinds]}`);
 	check(plain(decodeActions(encodeActions(mine.actions))) === plain(mine.actions), 'actions come out of a link as they went in');
 	const link = await browser.run(`return scree.share.make()`);
 	check(link.includes('&do=') && link.includes(mine.hash), `the link has actions and hash, in ${link.length} characters`);
@@ -291,6 +306,8 @@ export function checkRecord(check) {
 		makeAction(900001, 'blast', [0, 0, 7, 14]),
 		makeAction(900001, 'release'),
 		makeAction(900002, 'pour', [0.5, -0.25]),
+		makeAction(900003, 'gravity', [-12.5]),
+		makeAction(900003, 'remove', [123456]),
 	];
 	check(plain(decodeActions(encodeActions(actions))) === plain(actions), 'far places and late steps come out of a link as they went in');
 	check(encodeActions([]) === '' && decodeActions('').length === 0, 'nothing done is an empty text');

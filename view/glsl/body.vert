@@ -40,6 +40,8 @@ void main()
 		float flash = float(mark >> 2) / 63.0;
 		color = mix(sensor, vec3(0.95, 0.65, 0.10), flash);
 		tint = ((mark & 2) != 0 ? 0.22 : 0.0) + 0.3 * flash;
+		if (reach < 16.0) // small sensors, such as coins, are filled
+			tint = max(tint, 0.55);
 		bold = 1.0 + 2.0 * flash;
 	}
 	vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;

@@ -27,10 +27,11 @@ uniform int sleeps;           // 1: the world sleeps, and the table `asleep` is 
 uniform vec3 ground;          // color of the background
 
 const vec3 sensor = vec3(38, 138, 94) / 255.0;
+const vec3 character = vec3(196, 62, 40) / 255.0;
 
 vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + pose.z * v.y); }
 vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
-uint kind() { return texelFetch(kinds, cell(name.y), 0).x & 3u; } // 0 static, 1 kinematic, 2 dynamic
+uint kind() { return texelFetch(kinds, cell(name.y), 0).x & 3u; } // 0 static, 1 kinematic, 2 dynamic, 3 character
 
 // Returns the mark of a row; 0 for a row that is not a sensor.
 int mark_of(int row) { return row < marked ? int(texelFetch(marks, cell(row), 0).x) : 0; }
@@ -68,8 +69,10 @@ vec3 row_color(vec3 middle)
 {
 	if (name.y < 0)
 		return glass;
+	if (kind() == 3u && paint != 5)
+		return character;
 	if (kind() != 2u)
-		return paint == 5 && kind() == 1u ? types[0] : still;
+		return paint == 5 && kind() != 0u ? types[0] : still;
 	if (paint == 1)
 	{
 		float speed = length(texelFetch(velocities, cell(name.y), 0).xy);

@@ -115,6 +115,9 @@ static bool session_action(Viewer* v, Action action)
 	case ACTION_launch:
 		tools_launch(v);
 		return true;
+	case ACTION_remove:
+		tools_remove(v);
+		return true;
 	case ACTION_pour:
 	case ACTION_blast:
 		input_hold(v, action, true);

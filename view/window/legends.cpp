@@ -58,6 +58,6 @@ void overlay_legends(const Viewer* v, const ImVec2& size)
 	if (has_joints)
 		draw_legend(joints, FLAT);
 	if (has_paint)
-		draw_legend(paint, v->style.paint == PAINT_START ? SQUARE : FLAT);
+		draw_legend(paint, v->style.paint == PAINT_ORIGIN ? SQUARE : FLAT);
 	ImGui::End();
 }

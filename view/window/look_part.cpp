@@ -78,7 +78,7 @@ void part_look(Viewer* v)
 		explain(layer_helps[k]);
 	}
 	begin_column(LAYERS);
-	if (ImGui::Checkbox("graph dots", &v->style.graph) && v->style.graph)
+	if (ImGui::Checkbox("groups", &v->style.graph) && v->style.graph)
 		v->style.layers[LAYER_contacts] = true;
 	explain(action_helps[ACTION_graph]);
 	draw_shares(v);

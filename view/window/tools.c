@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // tools.c -- tools of the user besides dragging: throws and pours bodies, sets off blasts.
 #include "view/window/tools.h"
+#include "view/remove_tool.h"
 #include "view/window/rewind.h"
 #include "view/window/viewer.h"
 
@@ -17,6 +18,22 @@ void tools_launch(Viewer* v)
 		viewer_show(v, scree_error());
 	else
 		viewer_update_world(v);
+}
+
+void tools_remove(Viewer* v)
+{
+	const char* reason = "nothing is selected that could be removed: click on a body";
+	if (!inspect_any(&v->selected) || v->selected.gone || scree_body_is_null(v->selected.body))
+	{
+		viewer_show(v, reason);
+		return;
+	}
+	rewind_cut(v);
+	v->session.hashed = false;
+	if (remove_body(v->session.player.world, v->selected.body, &reason))
+		viewer_update_world(v);
+	else
+		viewer_show(v, reason ? reason : scree_error());
 }
 
 void tools_pour(Viewer* v, bool down)

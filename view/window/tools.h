@@ -10,6 +10,9 @@
 // Throws a body in at the cursor.
 void tools_launch(Viewer* viewer);
 
+// Removes the selected body, or shows the reason why it stays.
+void tools_remove(Viewer* viewer);
+
 // Starts pouring when its key is pressed, and stops when the key is released. The poured bodies get attributes of those
 // bodies of the scene that have one shape and a reach of at most four times the median.
 void tools_pour(Viewer* viewer, bool down);

@@ -4,6 +4,7 @@ import { Body } from './body.js';
 import { Compare } from './compare.js';
 import { $, dress, element, segments } from './dom.js';
 import { Files } from './files.js';
+import { Gravity } from './gravity.js';
 import { Host } from './host.js';
 import { Input } from './input.js';
 import { Keys } from './keys.js';
@@ -28,7 +29,7 @@ const TOOLS = [
 	{ value: 'move', label: 'Move', title: 'Drag the picture only', icon: 'move' },
 ];
 // names in the browser of those keys that have another name in view/window/keys.def
-const BROWSER_KEYS = { space: ' ', esc: 'Escape' };
+const BROWSER_KEYS = { space: ' ', esc: 'Escape', delete: 'Delete' };
 
 class App {
 	constructor(scenes) {
@@ -86,7 +87,8 @@ class App {
 		this.buildLook(layers, paints);
 		this.keys = new Keys(this.actions(actions), keys, (down) => this.say({ type: 'keys', down }));
 		this.numbers = new Numbers();
-		this.body = new Body((follows) => this.follow(follows), () => this.say({ type: 'forget' }));
+		this.body = new Body((follows) => this.follow(follows), () => this.say({ type: 'forget' }), () => this.say({ type: 'remove' }));
+		this.gravity = new Gravity((y) => this.say({ type: 'gravity', y }));
 		this.compare = new Compare(this.say);
 		this.share = new Share(
 			() => this.source,
@@ -107,8 +109,9 @@ class App {
 		this.openLink();
 	}
 
-	on_loaded({ name, settings, keys }) {
+	on_loaded({ name, settings, keys, wide }) {
 		note('', { name: 'step' });
+		note(wide && matchMedia('(pointer: coarse)').matches ? 'This scene is wide: turn the phone for a larger picture.' : '', { name: 'wide' });
 		const scene = this.scenes.get(name);
 		this.source = { name, settings };
 		$('title').textContent = scene.title;
@@ -128,6 +131,7 @@ class App {
 		this.canvas.classList.toggle('holding', state.holding);
 		this.numbers.show(state);
 		this.timeline.show(state);
+		this.gravity.show(state.gravity);
 		this.compare.show(state, this.scenes.get(this.source.name), this.source.settings, this.version);
 		this.share.show(state);
 		this.watch(state);
@@ -272,6 +276,7 @@ class App {
 			paint: { run: () => this.nextPaint() },
 			theme: { button: 'theme' },
 			hover: { run: () => (this.hovers = !this.hovers) },
+			remove: { run: () => this.say({ type: 'remove' }) },
 			forget: { run: () => this.say({ type: 'forget' }) },
 			list: { button: 'help' },
 			mouse: {},

@@ -13,14 +13,14 @@ function write(box, text) {
 }
 
 export class Body {
-	constructor(follow, forget) {
+	constructor(follow, forget, remove) {
 		this.follows = false;
 		this.box = $('body');
 		this.all = element('p', { class: 'lines all' });
 		this.few = element('p', { class: 'lines few' }); // shown on small screens in place of this.all
 		this.button = element('button', { id: 'follow', type: 'button', title: 'follows the selected body until the picture is moved (k)', onclick: () => follow(!this.follows) });
 		const close = element('button', { id: 'forget', type: 'button', title: 'clears the selection (esc)', onclick: forget }, 'deselect');
-		this.box.replaceChildren(this.all, this.few, element('div', { class: 'row' }, this.button, close));
+		this.box.replaceChildren(this.all, this.few, element('div', { class: 'row' }, this.button, element('button', { id: 'remove', type: 'button', title: 'removes the selected body (delete)', onclick: remove }, 'delete'), close));
 	}
 
 	// Shows the numbers of the selected body. numbers: {all, few, gone}, or null if no body is selected.

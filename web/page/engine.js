@@ -83,7 +83,7 @@ export class Engine {
 		this.failed = false;
 		this.paused = paused;
 		if (!keepView) this.picture.fit();
-		this.say({ type: 'loaded', name, settings, keys: this.core.module._page_keys() >>> 0 });
+		this.say({ type: 'loaded', name, settings, keys: this.core.module._page_keys() >>> 0, wide: this.picture.wide });
 		this.report();
 		if (!this.running) {
 			this.running = true;
@@ -236,6 +236,15 @@ export class Engine {
 		if (down !== this.player.keys) this.act('keys', [down]);
 	}
 
+	gravity({ y }) {
+		this.act('gravity', [y]);
+	}
+	// Removes the selected body. Throws an error with a sentence if it must stay.
+	remove() {
+		const body = this.core.module._page_selected_body();
+		if (body && !this.act('remove', [body])) throw new Error(this.core.text(this.core.module._page_error()));
+	}
+
 	// Returns {actions, step, hash} for links and tests. actions: the visitor's actions since the start of the scene.
 	record() {
 		return { actions: this.player.done, step: this.step, hash: this.core.hash() };
@@ -353,6 +362,7 @@ export class Engine {
 		message.first = this.past.first;
 		message.end = this.end;
 		message.target = this.target;
+		message.gravity = this.core.module._page_gravity();
 		if (this.paused || this.hashCost < COSTLY) {
 			message.hash = this.core.hash();
 			this.hashCost = performance.now() - now;

@@ -2,6 +2,7 @@
 // picture.js -- draws the picture of the scene in a WebGL 2 context, which can be lost and restored, with marks for the
 // visitor's tools.
 
+const NARROW = 600; // px of the page: pictures below this width are narrow
 const FLASH = 350; // ms: duration of the ring of a blast
 
 export class Picture {
@@ -16,6 +17,7 @@ export class Picture {
 		this.blast = null; // {at, radius}: place (m) and radius function (px) of a growing blast; null: no blast
 		this.styled = [0, 0, false, false];
 		this.fitted = true; // true: the whole scene stays in view when the size of the picture changes
+		this.wide = false; // true: the scene is wide and the picture is narrow, so the scene is small
 		canvas.addEventListener('webglcontextlost', (event) => {
 			event.preventDefault(); // without this call the browser does not restore the context
 			this.drawn = false;
@@ -59,7 +61,7 @@ export class Picture {
 	fit() {
 		this.fitted = true;
 		this.module._page_follow(false);
-		this.module._page_fit();
+		this.wide = Boolean(this.module._page_fit(this.width < NARROW * this.density));
 	}
 	pan(x, y) {
 		this.fitted = false;

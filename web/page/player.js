@@ -63,6 +63,10 @@ export class Player {
 				return m._page_throw(v[0], v[1], v[2], v[3], v[4]);
 			case 'blast':
 				return m._page_blast(v[0], v[1], v[2], v[3]);
+			case 'gravity':
+				return m._page_set_gravity(v[0]);
+			case 'remove':
+				return m._page_remove(v[0]);
 			default: // 'keys': the value contains the keys that are down, as bits
 				this.keys = v[0];
 				return true;

@@ -19,8 +19,11 @@ export const KINDS = [
 	{ name: 'blast', units: [...position, LENGTH, IMPULSE] }, // position, radius, impulse
 	{ name: 'keys', units: [1] }, // pressed keys: bit k for entry k of scene_keys.def
 	{ name: 'pour', units: position }, // pouring lasts until a 'release'; a 'pull' moves the place of pouring
+	{ name: 'gravity', units: [SPEED] }, // m/s^2: its vertical part
+	{ name: 'remove', units: [1] }, // index of the body
 ];
 const kindOf = new Map(KINDS.map((kind, index) => [kind.name, index]));
+const SHORT = 7; // number of kinds that are encoded with the step; the number of any other kind follows
 
 // Returns an action with its values rounded to multiples of their units.
 export function makeAction(step, name, values = []) {
@@ -82,7 +85,8 @@ export function encodeActions(actions) {
 		const index = kindOf.get(action.kind);
 		const units = KINDS[index].units;
 		const whole = action.values.map((value, k) => Math.round(value / units[k]));
-		writeNumber(bytes, (action.step - step) * 8 + index);
+		writeNumber(bytes, (action.step - step) * 8 + Math.min(index, SHORT));
+		if (index >= SHORT) writeNumber(bytes, index - SHORT);
 		step = action.step;
 		whole.forEach((value, k) => {
 			const relative = units.length > 1 && k < 2;
@@ -101,7 +105,7 @@ export function decodeActions(text) {
 	let last = [0, 0];
 	while (!reader.done) {
 		const head = reader.number();
-		const kind = KINDS[head % 8];
+		const kind = KINDS[head % 8 < SHORT ? head % 8 : SHORT + reader.number()];
 		if (!kind) throw new Error('the link is damaged, or was made by a newer version of this page');
 		step += Math.floor(head / 8);
 		const { units } = kind;
