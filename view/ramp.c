@@ -23,10 +23,10 @@ static Color between(Color a, Color b, float share)
 
 bool ramp_of(Paint paint, Color colors[RAMP_COLORS])
 {
-	const Color* stops = paint == PAINT_SPEED   ? speeds
-	                     : paint == PAINT_FORCE ? forces
+	const Color* stops = paint == PAINT_SPEED    ? speeds
+	                     : paint == PAINT_FORCE  ? forces
 	                     : paint == PAINT_ORIGIN ? places
-	                                            : NULL;
+	                                             : NULL;
 	const int last = paint == PAINT_SPEED ? 2 : 4;
 	for (int k = 0; k < RAMP_COLORS && stops; ++k)
 	{
