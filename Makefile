@@ -1,6 +1,6 @@
 # Makefile -- short commands for users. Each target installs the Debian packages that it lacks, then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip gallery web test test-full test-platforms fuzz bench build packages lists format check release clean
+.PHONY: help run view clip gallery web reference test test-full test-platforms fuzz bench build packages lists format check release clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -12,7 +12,7 @@ test_packages := $(view_packages) xvfb twm xdotool git clang-format libcmocka-de
 ifneq ($(shell uname -m),aarch64)
 test_packages += gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user # for test_aarch64; 56 MB
 endif
-full_packages := $(web_packages) clang libclang-rt-dev chromium chromium-driver
+full_packages := $(web_packages) doxygen clang libclang-rt-dev chromium chromium-driver
 
 help: ## print this list
 	@echo 'make TARGET, where TARGET is one of'
@@ -50,6 +50,11 @@ web: build ## build the page build/web and the npm package build/web/package, by
 	@node web/package/pack.mjs . build/wasm-scalar build/wasm-simd build/web/package
 	@echo 'The npm package is build/web/package'
 	@echo 'The page is build/web, for any web server. To open it: node web/serve.mjs build/web'
+
+reference: ## build the reference of the public interface: build/reference/index.html
+	@tools/packages.sh doxygen
+	@tools/reference.sh . build/reference
+	@echo 'The reference is build/reference/index.html'
 
 packages:
 	@tools/packages.sh $(build_packages) $(test_packages)
