@@ -2,6 +2,7 @@
 // command_options.c -- defines the options of scree, and the commands that accept each option.
 #include "command_options.h"
 #include "cli/common/option_values.h"
+#include "tools/common/recording_file.h"
 #include <string.h>
 
 #define SCENE_WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | QUERIES) // commands that create worlds of scenes
@@ -148,6 +149,9 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 	bool other = options->command == VALIDATE || options->command == VIEW;
 	if (options->command == RUN && !options->picture && !options->video &&
 	    options_no_effect(table, options, given, "SRaLTVZ", "there is no --picture or --video"))
+		return false;
+	if (options->command == VIEW && options->argument_count > 0 && recording_file(options->arguments[0]) &&
+	    options_no_effect(table, options, given, "seO", "the world is that of a recording"))
 		return false;
 	if (!options->record && options_no_effect(table, options, given, "i", "there is no --record"))
 		return false;

@@ -28,7 +28,7 @@ static void print_experiments(FILE* file)
 
 static const Command commands[] = {
     {RUN, "run", "run SCENE|FILE", "simulate, with a table of results at the end", 1, 1, run_command, NULL},
-    {VIEW, "view", "view [SCENE|FILE]", "open a window with a scene; default: pile", 0, 1, view_command,
+    {VIEW, "view", "view [SCENE|FILE]", "open a window with a scene or a recording; default: pile", 0, 1, view_command,
      print_view_keys},
     {HASH, "hash", "hash SCENE|FILE", "simulate and print only the world's hash, 16 digits", 1, 1, hash_command, NULL},
     {REPLAY, "replay", "replay FILE", "repeat a recording and compare its hashes: docs/recording.md", 1, 1,

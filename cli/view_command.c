@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// view_command.c -- scree view: opens a window with a scene.
+// view_command.c -- scree view: opens a window with a scene or a recording.
 #include "commands.h"
 
 #ifdef SCREE_HAVE_WINDOW

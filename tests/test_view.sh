@@ -460,6 +460,7 @@ END
 kept=$(nth hash 1)
 "$scree" replay view.rec --device cpu >out 2>err || fail "a recording of the viewer differs"
 says "$kept"
+kept_view=$kept
 view 1 "${small[@]}" --record nowhere/view.rec </dev/null
 says 'nowhere/view.rec'
 echo 'no snapshot' >bad.snap
@@ -480,6 +481,162 @@ key y
 print
 END
 says 'no state has been saved yet'
+
+# recordings: the steps have the hashes of the run; the time line goes to any step, also to later ones; at the end the world pauses.
+# The camera, the selection, pictures and saved states work; what changes the world is refused
+"$scree" run "${small[@]}" --device cpu --steps 60 --record small.rec --hash-interval 10 >out 2>err || fail "run --record"
+early=$("$scree" hash "${small[@]}" --steps 25 --device cpu) late=$("$scree" hash "${small[@]}" --steps 60 --device cpu)
+rm -f scree-*
+view 0 small.rec <<'END'
+frames 25
+picture first.png
+print
+frames 50
+print
+rewind 25
+picture again.png
+print
+key space
+frames 50
+print
+key r
+frames 2
+rewind 45
+print
+rewind 25
+key n
+key ,
+frames 2
+print
+key tab
+frames 1
+cursor 400 342
+frames 1
+button down
+button up
+button down
+cursor 480 300
+button up
+frames 1
+print
+wheel 2
+key f
+key s
+rewind 60
+print
+key n
+frames 1
+print
+END
+for line in 1 3 6; do
+	[ "$(nth hash $line)" = "$early" ] && [ "$(nth steps $line)" = 25 ] || fail "recording: line $line is not step 25 of the run"
+done
+for line in 2 4 8 9; do
+	[ "$(nth hash $line)" = "$late" ] || fail "recording: line $line is not the end of the run"
+done
+[ "$(nth steps 5)" = 45 ] || fail "recording: the time line does not go to a later step"
+sed -n 2p out | grep -q 'paused, .* says the recording ends after 60 steps; hashes: 7, all equal$' || fail "recording: it does not pause at its end"
+sed -n 9p out | grep -q 'paused, .* says the recording ends' || fail "recording: a step after its end"
+sed -n 7p out | grep -q 'selected body [0-9]*$' || fail "recording: nothing can be selected"
+[ -s scree-1.snap ] || fail "recording: no state is saved"
+! [ -x "$build/tests/difference" ] || within first.png again.png 0 0 || fail "recording: pictures of one step differ"
+for key in t m x e y; do
+	view 0 small.rec <<END
+frames 2
+key $key
+print
+frames 70
+print
+END
+	says 'says this is a recording, whose calls are only repeated: nothing else changes its world'
+	[ "$(nth hash 2)" = "$late" ] || fail "recording: $key changes the world"
+done
+view 2 small.rec <<<'load scree-1.snap'
+says '"load scree-1.snap" cannot be done: this is a recording'
+view 0 small.rec <<'END'
+frames 3
+scene billiards
+frames 5
+print
+scene ./small.rec
+frames 25
+print
+END
+[ "$(nth hash 1)" = "$("$scree" hash billiards --steps 5 --device cpu)" ] || fail "recording: another hash in a scene after it"
+[ "$(nth hash 2)" = "$early" ] || fail "recording: another hash after a scene"
+if grep -q '^opencl' <<<"$("$scree" devices)"; then
+	view 0 small.rec <<'END'
+frames 10
+device opencl
+frames 15
+print
+rewind 5
+frames 60
+print
+END
+	[ "$(nth hash 1)" = "$early" ] && [ "$(nth hash 2)" = "$late" ] || fail "recording: another hash after OpenCL"
+fi
+# bodies that calls of a recording create and replace are shown
+"$scree" run churn --set columns=4 --set rows=4 --set moved=2 --set replaced=2 --device cpu --steps 20 --record churn.rec >out 2>err ||
+	fail "run --record"
+view 0 churn.rec <<'END'
+frames 20
+print
+END
+[ "$(nth hash 1)" = "$("$scree" hash churn --set columns=4 --set rows=4 --set moved=2 --set replaced=2 --device cpu --steps 20)" ] ||
+	fail "recording: another hash than churn"
+# a recording of the viewer, with bodies that were thrown in
+view 0 view.rec <<'END'
+frames 200
+print
+END
+[ "$(nth hash 1)" = "$kept_view" ] || fail "recording: another hash than the viewer that recorded it"
+# a difference is reported as by scree replay; the world pauses there once
+if [ -x "$build/tests/changed_recording" ]; then
+	"$build/tests/changed_recording" small.rec world_step 25 2 other.rec
+	"$scree" replay other.rec --device cpu >out 2>err
+	difference=$(sed -n 's/^scree: \(cpu: .*\)/\1/p' err)
+	view 1 other.rec <<'END'
+frames 60
+print
+key space
+frames 60
+print
+END
+	says "scree view: $difference"
+	[[ $difference = 'cpu: scree_replay_step: step 30: the hash is '* ]] || fail "recording: the difference is \"$difference\""
+	[ "$(nth steps 1)" = 30 ] && [ "$(nth steps 2)" = 60 ] || fail "recording: it does not pause at the difference"
+	says 'says the recording ends after 60 steps; it differs: scree_replay_step: step 30: '
+fi
+# files that are refused as by scree replay; options that concern a scene
+head -c 200 small.rec >cut.rec
+head -c 2000 small.rec >short.rec
+echo 'no recording' >foreign.rec
+: >empty.rec
+cp scree-1.snap snapshot.rec
+for file in cut short foreign empty snapshot nowhere; do
+	"$scree" replay $file.rec --device cpu >out 2>err
+	sentence=$(sed 's/^scree\( replay\)\?: //' err)
+	view 2 $file.rec </dev/null
+	says "scree view: $sentence"
+done
+head -c "$(($(wc -c <small.rec) - 30))" small.rec >half.rec
+view 0 half.rec <<'END'
+frames 70
+print
+END
+says ', its end is missing after '
+cp small.rec recording # found by its first bytes
+view 0 ./recording <<'END'
+frames 25
+print
+END
+[ "$(nth hash 1)" = "$early" ] || fail "recording: another name"
+for options in '--set rows=3' '--sleep off' '--load scree-1.snap'; do
+	# word splitting of $options is intended
+	view 2 small.rec $options </dev/null
+	says "${options%% *} has no effect: the world is that of a recording"
+done
 
 # a key without effect prints the reason
 if ! grep -q '^opencl' <<<"$("$scree" devices)"; then

@@ -456,6 +456,9 @@ typedef struct scree_replay_info
 	bool ended;       // false: the end of the recording is cut off, damaged or not yet written; it is read up to there
 	size_t read;      // bytes up to the end, or up to the last whole record
 	char version[16]; // version of the library that wrote the recording
+	int64_t call;     // number of calls that the replay has repeated, steps included
+	float dt;         // length of the last step that the replay has taken, s; 0 before the first step
+	int substeps;     // its substeps; 0 before the first step
 } scree_replay_info;
 
 // Opens a recording, and checks all of its records. The caller owns *replay and closes it with scree_replay_close; on failure

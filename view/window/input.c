@@ -37,6 +37,8 @@ static void step_back(Viewer* v)
 
 static void report_all(Viewer* v)
 {
+	if (!viewer_may_change(v))
+		return;
 	rewind_cut(v);
 	bool good = reports_all(v->session.player.world) == SCREE_OK;
 	v->session.hashed = false;
@@ -244,12 +246,13 @@ void input_cursor(Viewer* v, float x, float y, double seconds)
 	grab_move(&v->grab, camera_point(&v->camera, x, y), seconds);
 }
 
-// Picks the body under the cursor. Returns false if there is none. At a past step, drops the steps that followed.
+// Picks the body under the cursor. Returns false if there is none, and in a recording, where a drag moves the picture. At a past
+// step, drops the steps that followed.
 static bool pick(Viewer* v)
 {
 	const RenderTables* tables = &v->renderer.tables;
 	Grab past = v->grab;
-	if (render_tables_update_bodies(&v->renderer.tables) != SCREE_OK)
+	if (session_replays(&v->session) || render_tables_update_bodies(&v->renderer.tables) != SCREE_OK)
 		return false;
 	if (rewind_repeats(v))
 	{

@@ -140,7 +140,7 @@ static void draw_panel(Viewer* v, const ImVec2& size)
 		part_times(v);
 	if (open_part("appearance", true))
 		part_look(v);
-	if (open_part("tools", false))
+	if (!session_replays(&v->session) && open_part("tools", false))
 		part_tools(v);
 	if (open_part("solver", false))
 		part_solver(v);

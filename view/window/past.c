@@ -121,10 +121,12 @@ void past_add(Past* past, scree_world* world, const void* note, double time)
 	if (past->off)
 		return;
 	PastPart* part = past->parts + past->count - 1;
-	part->last = past->end = ++past->at;
+	past->end = ++past->at;
+	bool taken = part->recorder->steps == past->at - part->first; // false: a replay counts a step that failed
+	part->last += taken;
 	past->spent += time;
 	bool good = set_note(past, note) && part->recorder->status == SCREE_OK;
-	if (good && past->at - part->first >= OFTEN && past->spent >= SHARE * past->cost)
+	if (good && (!taken || (past->at - part->first >= OFTEN && past->spent >= SHARE * past->cost)))
 	{
 		stop(past, world);
 		good = begin_part(past, world);

@@ -35,7 +35,7 @@ typedef struct
 void past_begin(Past* past, scree_world* world, const void* note, size_t bytes);
 void past_close(Past* past, scree_world* world);
 
-// Adds a step that the world has taken in some time (ms).
+// Adds a step that the world has taken in some time (ms), or one that a replay has taken and that failed.
 void past_add(Past* past, scree_world* world, const void* note, double time);
 
 // Moves the world towards a step from `first` to `end`: takes one step of the past, from an earlier snapshot if needed. now: the

@@ -7,6 +7,7 @@
 typedef struct // state of the viewer beside the world, with which a step begins; movers follow it
 {
 	int64_t steps;
+	float dt;
 	int substeps;
 	Grab grab;
 	Pour pour;
@@ -21,6 +22,7 @@ static const void* take_note(Viewer* v)
 	Note note;
 	memset(&note, 0, sizeof note); // padding too, because notes are copied as bytes
 	note.steps = v->session.player.steps;
+	note.dt = v->session.scene->dt;
 	note.substeps = v->session.scene->substeps;
 	note.grab = v->grab;
 	note.pour = v->tools.pour;
@@ -38,6 +40,7 @@ static void use_note(Viewer* v, const unsigned char* bytes)
 	Note note;
 	memcpy(&note, bytes, sizeof note);
 	v->session.player.steps = note.steps;
+	v->session.scene->dt = note.dt;
 	v->session.scene->substeps = note.substeps;
 	note.grab.hardest = v->grab.hardest;
 	note.grab.hertz = v->grab.hertz;
@@ -78,8 +81,11 @@ bool rewind_repeats(const Viewer* v) { return !v->past.off && !v->past.records; 
 
 bool rewind_span(const Viewer* v, int64_t* first, int64_t* end)
 {
-	*first = v->past.off ? v->session.player.steps : v->begun + v->past.first;
-	*end = v->past.off ? v->session.player.steps : v->begun + v->past.end;
+	const Session* session = &v->session;
+	*first = v->past.off ? session->player.steps : v->begun + v->past.first;
+	*end = v->past.off ? session->player.steps : v->begun + v->past.end;
+	if (!v->past.off && session_replays(session) && session->playback.info.steps > *end)
+		*end = session->playback.info.steps;
 	return !v->past.off;
 }
 
@@ -94,11 +100,18 @@ bool rewind_to(Viewer* v, int64_t step)
 	return true;
 }
 
+bool rewind_beyond(const Viewer* v)
+{
+	int64_t end = v->begun + v->past.end;
+	return v->target > end && v->session.player.steps == end;
+}
+
 bool rewind_step(Viewer* v)
 {
 	Session* session = &v->session;
 	const void* note;
-	int64_t step = v->target >= 0 ? v->target : session->player.steps + 1;
+	int64_t step = v->target >= 0 ? v->target : session->player.steps + 1, end = v->begun + v->past.end;
+	step = step > end ? end : step;
 	bool back = step < session->player.steps, changed = session->tuning.changed;
 	scree_status status = past_go(&v->past, session->player.world, step - v->begun, take_note(v), &note);
 	if (status == SCREE_OK)

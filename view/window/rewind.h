@@ -20,13 +20,17 @@ bool rewind_repeats(const Viewer* viewer);
 // Returns false if the world is too large to go back.
 bool rewind_to(Viewer* viewer, int64_t step);
 
-// Takes a step towards the target, or by one if there is none. Returns false on failure; scree_error() has the reason.
+// Returns true if the target is a later step of a recording, and the world is at the last step that it has taken.
+bool rewind_beyond(const Viewer* viewer);
+
+// Takes a step of the past towards the target, or by one if there is none. Returns false on failure; scree_error() has the reason.
 bool rewind_step(Viewer* viewer);
 
 // Drops the steps after the current one, before a change by the user. A body that was held at that step is released.
 void rewind_cut(Viewer* viewer);
 
-// Returns the first and the last step of the time line in *first and *end. Returns false if the world is too large to go back.
+// Returns the first and the last step of the time line in *first and *end; that of a recording ends with its last step. Returns
+// false if the world is too large to go back.
 bool rewind_span(const Viewer* viewer, int64_t* first, int64_t* end);
 
 #endif

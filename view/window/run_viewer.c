@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // run_viewer.c -- opens the window, runs the frame loop of the viewer, closes the window.
 #include "view/window/run_viewer.h"
+#include "view/window/advance.h"
 #include "view/window/draw.h"
 #include "view/window/framing.h"
 #include "view/window/input.h"
@@ -15,7 +16,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define LONGEST       0.03  // s: maximum duration of the steps in a frame; a slower world falls behind real time
 #define MESSAGE_STAYS 5.0   // s: time for which a message is shown
 #define SMOOTH        0.1f  // weight of the last frame in the displayed average
 #define PAUSE         0.016 // s: maximum time for which a paused or minimized window blocks until an event comes
@@ -32,78 +32,6 @@ void view_print_keys(FILE* file)
 #define X(name, key, shown, help) MOUSE(shown, help)
 #include "view/window/keys.def"
 #undef X
-}
-
-// Takes one step, and sets *added to true if it created bodies. Returns false if it fails, which ends the viewer.
-static bool step_world(Viewer* v, double dt, bool* added)
-{
-	Session* session = &v->session;
-	char sentence[SENTENCE];
-	if (grab_pull(&v->grab) != SCREE_OK)
-		grab_release(&v->grab); // the held body no longer exists
-	bool good = tools_step(v, added);
-	if (!good)
-		viewer_fail(v, scree_error());
-	else if (!(good = session_step(session, sentence)))
-		viewer_fail(v, sentence);
-	else if (!(good =
-	               renderer_step(&v->renderer, &v->camera, &v->style, (double)session->player.steps * dt) == SCREE_OK))
-		viewer_fail(v, scree_error());
-	if (good)
-		rewind_add(v);
-	return good;
-}
-
-// Takes steps of the past, until the target is reached or the frame has taken long enough.
-static void approach(Viewer* v)
-{
-	double begin = glfwGetTime();
-	v->session.accumulator = 0;
-	while (v->target >= 0 && glfwGetTime() - begin < LONGEST)
-		if (!rewind_step(v))
-			viewer_show(v, scree_error());
-	viewer_update_world(v);
-}
-
-// Takes the steps that are due in simulated time; for a script, takes one step per frame. Steps of the past are repeated. A step
-// that fails ends the viewer.
-static void advance(Viewer* v, bool scripted, double seconds)
-{
-	Session* session = &v->session;
-	double begin = glfwGetTime(), dt = (double)session->scene->dt;
-	if (v->target >= 0)
-	{
-		approach(v);
-		return;
-	}
-	if (!session->paused && !v->dragging)
-		session->accumulator += scripted ? dt : (seconds < 0.1 ? seconds : 0.1) * (double)session->rate;
-	bool added = false;
-	while (session->due > 0 || session->accumulator >= dt * 0.999)
-	{
-		if (session->due > 0)
-			--session->due;
-		else
-			session->accumulator -= dt;
-		v->capture.seconds += dt;
-		if (rewind_repeats(v) && session->player.steps < v->begun + v->past.end)
-		{
-			if (!rewind_step(v))
-				viewer_show(v, scree_error());
-			added = true; // the world may have other bodies
-		}
-		else
-		{
-			rewind_cut(v);
-			if (!step_world(v, dt, &added))
-				return;
-		}
-		history_step(&v->history, session->last);
-		if (glfwGetTime() - begin > LONGEST)
-			session->accumulator = 0;
-	}
-	if (added)
-		viewer_update_world(v);
 }
 
 // Runs one frame: events, script, steps, drawing.

@@ -53,6 +53,15 @@ static void draw_time_line(Viewer* v)
 		ImGui::SetTooltip("drag to an earlier step, from which the world goes on; , takes one step back");
 }
 
+// Draws the state of a recording.
+static void draw_playback(const Playback* playback)
+{
+	const scree_replay_info* info = &playback->info;
+	ImGui::TextDisabled("recording of version %s%s", info->version, info->ended ? "" : "; its end is missing");
+	if (*playback->difference)
+		ImGui::TextWrapped("differs: %s", playback->difference);
+}
+
 void part_scene(Viewer* v)
 {
 	Session* session = &v->session;
@@ -84,6 +93,8 @@ void part_scene(Viewer* v)
 	if (ImGui::Button("step", ImVec2(third, 0.0f)))
 		input_action(v, ACTION_step);
 	draw_time_line(v);
+	if (session_replays(session))
+		draw_playback(&session->playback);
 	ImGui::SetNextItemWidth(FIELD);
 	ImGui::SliderFloat("speed, \u00d7 real time", &session->rate, 1.0f / 64.0f, 1.0f, "%.3f",
 	                   ImGuiSliderFlags_Logarithmic);

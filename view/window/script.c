@@ -5,6 +5,7 @@
 // step each; "await STATE" draws frames until the viewer is in that state.
 #include "view/window/script.h"
 #include "tools/common/open_input.h"
+#include "view/window/advance.h"
 #include "view/window/export.h"
 #include "view/window/input.h"
 #include "view/window/panel.h"
@@ -78,7 +79,7 @@ static bool go_to(Viewer* v, int64_t step)
 {
 	bool good = rewind_to(v, step);
 	while (good && v->target >= 0)
-		good = rewind_step(v);
+		good = advance_to_target(v);
 	return good && v->session.player.steps == step && viewer_update_world(v);
 }
 

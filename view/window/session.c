@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// session.c -- the scene in the viewer: loads and steps it, and moves it to another device.
+// session.c -- the scene or recording in the viewer: loads and steps it, and moves it to another device.
 #include "view/window/session.h"
 #include "scene/find.h"
 #include "scene/heading.h"
 #include "scene/load.h"
+#include "tools/common/recording_file.h"
 #include "view/shader.h"
 #include <math.h>
 #include <stdlib.h>
@@ -61,18 +62,33 @@ static bool read_parameters(Session* session, const char* path, bool set, char* 
 	return true;
 }
 
-static Scene* load(Session* session, const char* path, bool fresh, char* sentence)
+static Scene* load_scene(Session* session, bool fresh, char* sentence)
 {
 	SceneSetting settings[MAX_PARAMETERS];
+	char path[SCENE_PATH];
 	const ViewOptions* options = session->options;
-	if (fresh && strcmp(session->name, options->scene) == 0)
+	bool chosen = strcmp(session->name, options->scene) == 0;
+	if (!scene_find(session->name, options->executable, path, sentence) ||
+	    (fresh && !read_parameters(session, path, chosen, sentence)))
+		return NULL;
+	if (fresh && chosen)
 		return scene_load(path, options->settings, options->setting_count, sentence);
 	for (int k = 0; k < session->parameter_count; ++k)
 		settings[k] = (SceneSetting){session->parameters[k].name, session->parameters[k].value};
 	return scene_load(path, settings, session->parameter_count, sentence);
 }
 
-static scree_status open_player(const Session* session, const Scene* scene, ScenePlayer* player)
+// Loads the scene or the recording of Session.name, and sets Session.playback.
+static Scene* load(Session* session, bool fresh, char* sentence)
+{
+	session->playback = (Playback){0};
+	if (!recording_file(session->name))
+		return load_scene(session, fresh, sentence);
+	session->parameter_count = 0;
+	return playback_open(&session->playback, session->name, sentence);
+}
+
+static scree_status open_player(Session* session, const Scene* scene, ScenePlayer* player)
 {
 	scree_world_def def = scene->world;
 	def.device = session->device;
@@ -82,43 +98,43 @@ static scree_status open_player(const Session* session, const Scene* scene, Scen
 	def.timings = true;
 	def.sleep = scene_sleeps(scene, session->options->sleep);
 	def.opengl = session->opengl;
+	if (session_replays(session))
+		return playback_create_world(&session->playback, scene, &def, player);
 	return player_open(player, scene, &def);
 }
 
 bool session_load(Session* session, const char* name, bool fresh, char* sentence)
 {
 	Session old = *session;
-	char path[SCENE_PATH];
 	ScenePlayer player = {0};
 	scree_counters counters;
 	Tuning tuning = session->tuning;
 	tuning.changed = tuning.changed && !fresh && strcmp(name, session->name) == 0;
 	if (name != session->name)
 		snprintf(session->name, sizeof session->name, "%s", name);
-	bool set = strcmp(session->name, session->options->scene) == 0;
-	bool good = scene_find(session->name, session->options->executable, path, sentence) &&
-	            (!fresh || read_parameters(session, path, set, sentence));
-	Scene* scene = good ? load(session, path, fresh, sentence) : NULL;
-	good = scene && ((open_player(session, scene, &player) == SCREE_OK &&
-	                  (tuning.changed ? tuning_write(&tuning, scene, player.world)
-	                                  : tuning_read(&tuning, scene, player.world)) == SCREE_OK &&
-	                  scree_world_get_counters(player.world, &counters) == SCREE_OK) ||
-	                 failed(sentence));
+	Scene* scene = load(session, fresh, sentence);
+	bool good = scene && ((open_player(session, scene, &player) == SCREE_OK &&
+	                       (tuning.changed ? tuning_write(&tuning, scene, player.world)
+	                                       : tuning_read(&tuning, scene, player.world)) == SCREE_OK &&
+	                       scree_world_get_counters(player.world, &counters) == SCREE_OK) ||
+	                      failed(sentence));
 	if (!good)
 	{
 		player_close(&player);
 		scene_free(scene);
+		playback_close(&session->playback);
 		*session = old;
 		return false;
 	}
 	player_close(&session->player);
 	scene_free(session->scene);
+	playback_close(&old.playback);
 	session->player = player;
 	session->scene = scene;
 	session->counters = counters;
 	session->deepest = 0.0f;
 	session->tuning = tuning;
-	session->accumulator = 0;
+	session->accumulator = session->seconds = 0;
 	session->due = 0;
 	session->hashed = false;
 	session->step = 0;
@@ -144,6 +160,7 @@ void session_close(Session* session)
 {
 	player_close(&session->player);
 	scene_free(session->scene);
+	playback_close(&session->playback);
 	for (int k = 0; k < session->scene_count; ++k)
 		free(session->scenes[k]);
 	free(session->scenes);
@@ -176,13 +193,25 @@ bool session_move(Session* session, const char* device, char* sentence)
 
 static void smooth(float* shown, float now) { *shown = *shown == 0.0f ? now : *shown + SMOOTH * (now - *shown); }
 
+bool session_replays(const Session* session) { return session->playback.replay; }
+
+// Repeats a step of a recording. The calls before it may have changed what the panel shows.
+static scree_status repeat_step(Session* session)
+{
+	scree_status status = playback_step(&session->playback, session->scene, &session->player);
+	return status == SCREE_OK ? tuning_read(&session->tuning, session->scene, session->player.world) : status;
+}
+
 bool session_step(Session* session, char* sentence)
 {
 	scree_timings t;
-	if (player_step(&session->player) != SCREE_OK ||
+	session->hashed = false;
+	if ((session_replays(session) ? repeat_step(session) : player_step(&session->player)) != SCREE_OK ||
 	    scree_world_get_counters(session->player.world, &session->counters) != SCREE_OK ||
 	    scree_world_get_timings(session->player.world, &t) != SCREE_OK)
 		return failed(sentence);
+	if (session->playback.ended)
+		return true;
 	session->deepest = fmaxf(session->deepest, session->counters.penetration);
 	float stages[STAGE_TIMES];
 	stage_times(&t, stages);
@@ -190,7 +219,7 @@ bool session_step(Session* session, char* sentence)
 		smooth(&session->stages[k], stages[k]);
 	smooth(&session->step, t.step);
 	session->last = t.step;
-	session->hashed = false;
+	session->seconds += (double)session->scene->dt;
 	return true;
 }
 

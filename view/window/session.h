@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// session.h -- the scene in the viewer: loads and steps it, and moves it to another device.
+// session.h -- the scene or recording in the viewer: loads and steps it, and moves it to another device.
 #ifndef SESSION_H
 #define SESSION_H
 #include "scene/player.h"
 #include "scene/stage_times.h"
 #include "view/window/live_tuning.h"
+#include "view/window/playback.h"
 #include "view/window/view_options.h"
 
 #define MAX_PARAMETERS 32
@@ -21,7 +22,8 @@ typedef struct
 	const scree_opengl* opengl; // context with which worlds may share memory, or null
 	Scene* scene;
 	ScenePlayer player;
-	char name[SCENE_PATH]; // name of the scene
+	Playback playback;     // replay of a recording; the scene then has no bodies
+	char name[SCENE_PATH]; // name of the scene, or path of the recording
 	char** scenes;         // names of all scenes
 	char (*titles)[160];   // titles of all scenes; a title is empty until session_title reads it
 	int scene_count;
@@ -35,6 +37,7 @@ typedef struct
 	Tuning tuning;      // gravity, substeps and solver tuning
 	float rate;         // simulated seconds per second of real time; at most 1
 	double accumulator; // s: simulated time by which the world lags behind the clock
+	double seconds;     // s: simulated time of all steps that were taken, those before the user went back included
 	bool hashed;        // true if Session.hash belongs to the current state
 	uint64_t hash;      // hash of the world when session_hash was called
 	scree_counters counters;
@@ -47,11 +50,12 @@ typedef struct
 // Functions that return bool write a sentence (SENTENCE of shader.h) and return false on failure. If session_load or
 // session_move fails, the session does not change.
 
-// Lists scenes and devices, and loads the scene that the options name.
+// Lists scenes and devices, and loads the scene or recording that the options name.
 bool session_open(Session* session, const ViewOptions* options, const scree_opengl* opengl, char* sentence);
 void session_close(Session* session);
 
-// Loads a scene and creates its world. fresh: true for the parameters of the options, false for those of the panel.
+// Loads a scene or a recording and creates its world. fresh: true for the parameters of the options, false for those of the
+// panel.
 bool session_load(Session* session, const char* name, bool fresh, char* sentence);
 
 // Returns the title of scene k in the list. The first call for a scene reads its file.
@@ -60,7 +64,10 @@ const char* session_title(Session* session, int k);
 // Moves the world to another device.
 bool session_move(Session* session, const char* device, char* sentence);
 
-// Takes one step.
+// Returns true if the viewer shows a recording, whose steps are repeated.
+bool session_replays(const Session* session);
+
+// Takes one step, unless a recording has ended (Playback.ended).
 bool session_step(Session* session, char* sentence);
 
 // Computes the hash of the current state, and sets Session.hash and Session.hashed.

@@ -68,6 +68,8 @@ static bool restore(Viewer* v, const char* path, const void* bytes, size_t size)
 bool state_load(Viewer* v, const char* path)
 {
 	FileBytes file;
+	if (!viewer_may_change(v))
+		return false;
 	path = path ? path : v->saved;
 	if (!*path)
 	{

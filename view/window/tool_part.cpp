@@ -64,6 +64,11 @@ void part_solver(Viewer* v)
 	changed = draw_slider("bounce threshold", &t->solver.restitution_threshold, 0.0f, 10.0f, "%.2f m/s", false,
 	                      "slower impacts do not bounce") ||
 	          changed;
+	if (changed && !viewer_may_change(v))
+	{
+		tuning_read(t, session->scene, session->player.world);
+		return;
+	}
 	t->changed = t->changed || changed;
 	if (changed)
 	{

@@ -12,6 +12,8 @@
 
 void tools_launch(Viewer* v)
 {
+	if (!viewer_may_change(v))
+		return;
 	rewind_cut(v);
 	v->grab.at = camera_point(&v->camera, v->x, v->y);
 	if (grab_launch(&v->grab, THROWN_SIZE / v->camera.scale) != SCREE_OK)
@@ -38,6 +40,8 @@ void tools_remove(Viewer* v)
 
 void tools_pour(Viewer* v, bool down)
 {
+	if (down && !viewer_may_change(v))
+		return;
 	if (down)
 		rewind_cut(v);
 	if (!down)
@@ -80,6 +84,8 @@ static void explode(Viewer* v)
 
 void tools_blast(Viewer* v, bool down)
 {
+	if (down && !viewer_may_change(v))
+		return;
 	v->grab.at = camera_point(&v->camera, v->x, v->y);
 	if (down && !v->tools.blasting)
 		v->tools.blast_time = glfwGetTime();

@@ -145,6 +145,14 @@ bool viewer_load(Viewer* v, const char* name, bool fresh)
 	return true;
 }
 
+bool viewer_may_change(Viewer* v)
+{
+	bool replays = session_replays(&v->session);
+	if (replays)
+		viewer_show(v, "this is a recording, whose calls are only repeated: nothing else changes its world");
+	return !replays;
+}
+
 bool viewer_move(Viewer* v, const char* device)
 {
 	char sentence[SENTENCE];

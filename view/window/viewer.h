@@ -24,9 +24,12 @@ bool viewer_inspect(Viewer* viewer, bool over);
 // Selects the collidable under the cursor. If there is none, clears the selection.
 void viewer_select(Viewer* viewer);
 
-// Loads a scene. fresh: true for the parameters of the options, false for those of the panel. On failure shows a
+// Loads a scene or a recording. fresh: true for the parameters of the options, false for those of the panel. On failure shows a
 // message and returns false.
 bool viewer_load(Viewer* viewer, const char* name, bool fresh);
+
+// Returns true if the user may change the world. The calls of a recording are only repeated: shows a message and returns false.
+bool viewer_may_change(Viewer* viewer);
 
 // Moves the world to a device, and shows whether the hash is the same before and after. On failure shows a message and
 // returns false.

@@ -116,8 +116,11 @@ scree_status scree_replay_get_info_sized(const scree_replay* replay, scree_repla
 
 static void begin_again(scree_replay* replay)
 {
+	scree_replay_info* info = &replay->info;
 	replay->reader.at = replay->begin;
-	replay->info.step = 0;
+	info->step = info->call = 0;
+	info->dt = 0.0f;
+	info->substeps = 0;
 }
 
 scree_status scree_replay_create_world(scree_replay* replay, const scree_world_def* def, scree_world** world)
@@ -167,6 +170,7 @@ static scree_status repeat(const char* function, scree_replay* r, scree_world* w
 	const char* name = recorded_calls[r->arguments.call].name;
 	*step = r->arguments.call == RECORDED_world_step;
 	r->info.step += *step;
+	++r->info.call;
 	long long number = r->info.step + !*step;
 	scree_status status = call_repeat(world, &r->arguments);
 	if (status != SCREE_OK)
@@ -177,6 +181,11 @@ static scree_status repeat(const char* function, scree_replay* r, scree_world* w
 		    status != SCREE_ERROR_INVALID && status != SCREE_ERROR_STALE && status != SCREE_ERROR_CONTACT_LIMIT;
 		return fail(world_fails ? status : SCREE_ERROR_DIFFERENT,
 		            "%s: step %lld: a call fails that did not fail in the recording: %s", function, number, sentence);
+	}
+	if (*step)
+	{
+		memcpy(&r->info.dt, r->arguments.values[0], sizeof r->info.dt);
+		memcpy(&r->info.substeps, r->arguments.values[1], sizeof r->info.substeps);
 	}
 	const char* result = results_differ(&r->arguments);
 	if (result)
