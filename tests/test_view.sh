@@ -540,7 +540,7 @@ sed -n 9p out | grep -q 'paused, .* says the recording ends' || fail "recording:
 sed -n 7p out | grep -q 'selected body [0-9]*$' || fail "recording: nothing can be selected"
 [ -s scree-1.snap ] || fail "recording: no state is saved"
 ! [ -x "$build/tests/difference" ] || within first.png again.png 0 0 || fail "recording: pictures of one step differ"
-for key in t m x e y; do
+for key in t m x e y delete; do
 	view 0 small.rec <<END
 frames 2
 key $key

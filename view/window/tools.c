@@ -25,6 +25,8 @@ void tools_launch(Viewer* v)
 void tools_remove(Viewer* v)
 {
 	const char* reason = "nothing is selected that could be removed: click on a body";
+	if (!viewer_may_change(v))
+		return;
 	if (!inspect_any(&v->selected) || v->selected.gone || scree_body_is_null(v->selected.body))
 	{
 		viewer_show(v, reason);
