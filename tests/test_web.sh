@@ -47,6 +47,13 @@ snapshots()
 	done
 }
 snapshots cpu
+# recordings: those of both builds are the same, and the native command line repeats them
+cp "$SCREE_SOURCE/tests/web/recordings.mjs" "$scratch"
+for form in scalar simd; do
+	timeout 300 node "$scratch/recordings.mjs" $form "$SCREE_SOURCE" "$scratch"
+	"$SCREE_BUILD/scree" replay "$scratch/$form.rec" --device cpu | grep 'all equal' || { echo "a recording of the package ($form) differs"; exit 1; }
+done
+cmp "$scratch/scalar.rec" "$scratch/simd.rec"
 if "$SCREE_BUILD/scree" devices | grep -q opencl; then
 	snapshots opencl storm ragdolls platformer churn
 fi

@@ -15,9 +15,11 @@ SMALL_END
 #include "stages/tree/tree.h"
 #include "stages/broad_phase/leaf.h"
 #include "stages/broad_phase/broad_phase.h"
+SMALL_BEGIN
 #include "stages/color/joint_edges.h"
 #include "stages/rules/rule.h"
 #include "stages/broad_phase/contact_slots.h"
+SMALL_END
 #include "stages/narrow_phase/narrow_phase.h"
 SMALL_BEGIN
 #include "stages/sleep/wake.h"
@@ -39,7 +41,9 @@ SMALL_BEGIN
 #include "stages/solve/chain/branch.h"
 #include "stages/solve/hub/hub.h"
 SMALL_END
+SMALL_BEGIN
 #include "stages/finalize/continuous.h"
+SMALL_END
 #include "stages/finalize/finalize.h"
 SMALL_BEGIN
 #include "stages/finalize/contact_approval.h"

@@ -11,7 +11,7 @@ import {brotliCompressSync, constants} from "node:zlib";
 import {follow, is_alignment, is_size, join, move_to_front, size_bytes, typed} from "./columns.mjs";
 
 const [, , sources, scalar, simd, folder] = process.argv;
-const limit = 170000;
+const limit = 170000, recordingLimit = 3600; // bytes: what load() downloads; what "scree/recording" adds to it
 const compressed = (text) => brotliCompressSync(text, {params: {[constants.BROTLI_PARAM_QUALITY]: 11}}).length;
 
 // Returns a module whose exports have numbers as names if they are functions of the table in scree.js, which saves 0.5
@@ -140,6 +140,8 @@ copyFileSync(`${sources}/web/package/README.md`, `${folder}/README.md`);
 copyFileSync(`${simd}/package/scree.d.ts`, `${folder}/scree.d.ts`);
 
 minify(`${simd}/package/scree.js`, `${folder}/scree.js`);
+minify(`${sources}/web/package/recording.js`, `${folder}/recording.js`);
+copyFileSync(`${sources}/web/package/recording.d.ts`, `${folder}/recording.d.ts`);
 minify(`${sources}/web/package/columns.mjs`, `${folder}/columns.js`);
 const script = readFileSync(`${folder}/scree.js`), head = readFileSync(`${folder}/columns.js`, "utf8");
 rmSync(`${folder}/columns.js`);
@@ -155,5 +157,11 @@ for (const [form, build] of [["scalar", scalar], ["simd", simd]]) {
 		console.error(`pack: ${form} takes ${bytes} bytes, must be at most ${limit}`);
 		good = false;
 	}
+}
+const bytes = compressed(readFileSync(`${folder}/recording.js`));
+console.log(`recording: ${bytes} bytes more, compressed`);
+if (bytes > recordingLimit) {
+	console.error(`pack: scree/recording takes ${bytes} bytes, must be at most ${recordingLimit}`);
+	good = false;
 }
 process.exit(good ? 0 : 1);

@@ -382,6 +382,7 @@ function call(engine, f, world, given) {
 			}
 		}
 		let answer = c[f.name](...values);
+		world?.log?.note(f, values, answer);
 		if (f.result === "!")
 			engine.check(answer);
 		if (list) {
@@ -517,7 +518,9 @@ export class World {
 	restore(bytes) {
 		const {engine} = this.scree, world = this.live();
 		try {
-			engine.check(engine.c.scree_world_restore(world, engine.putBytes(bytes), bytes.length));
+			const at = engine.putBytes(bytes), status = engine.c.scree_world_restore(world, at, bytes.length);
+			this.log?.note(null, [world, at, bytes.length], status);
+			engine.check(status);
 		}
 		finally {
 			engine.done();
@@ -674,3 +677,6 @@ let loaded;
 export function load(options) {
 	return options ? start(options) : (loaded ??= start({}));
 }
+
+// for recording.js
+export const internals = {layouts, table, SIZES};
