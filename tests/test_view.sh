@@ -649,7 +649,7 @@ END
 fi
 
 # paints: pictures of scree run have the paint of the window, in both themes; the paints of one theme differ from each other
-paints=(attribute speed graph force start type)
+paints=(kind speed solver force origin type)
 for k in "${!paints[@]}"; do
 	theme=light
 	[ $((k % 2)) = 1 ] && theme=dark
