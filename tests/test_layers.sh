@@ -45,6 +45,7 @@ world/recovery
 world/record/recorder
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover
+api/draw
 api/record'
 
 # folders beside the library, which are searched only for circles of includes

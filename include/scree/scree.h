@@ -2122,6 +2122,97 @@ SCREE_API void scree_world_unshare(scree_world* world);
 SCREE_API scree_status scree_world_write_render_rows(scree_world* world, int* count);
 
 // ---------------------------------------------------------------------------------------------------------------
+// Debug draw (docs/debug_draw.md)
+//
+// One call hands everything in a part of the world to functions of the program: lines, filled polygons, circles and
+// capsules, points and texts, with colors. It reads each array of the device once, whatever the number of shapes.
+// examples/draw/ has adapters for raylib, SDL and Dear ImGui.
+
+enum // bits of scree_draw_def.flags, in the order in which they are drawn
+{
+	SCREE_DRAW_FIELDS = 1,    // region, origin and direction of each field
+	SCREE_DRAW_SHAPES = 2,    // solid collidables, in the color of their state
+	SCREE_DRAW_SENSORS = 4,   // sensors, and collidables without a body
+	SCREE_DRAW_BOXES = 8,     // enlarged boxes of broad phase, of the last step
+	SCREE_DRAW_JOINTS = 16,   // bodies to anchors, anchor to anchor, axes, limits of angles, paths
+	SCREE_DRAW_CONTACTS = 32, // points and normals of touching contacts
+	SCREE_DRAW_IMPULSES = 64, // impulses of contacts in the last substep: a line each along normal and tangent
+	SCREE_DRAW_CENTERS = 128, // centers of mass, with the x axis of the body
+	SCREE_DRAW_SPEEDS = 256,  // velocities of centers of mass
+	SCREE_DRAW_LABELS = 512,  // texts beside that which is drawn: index of a body, type of a joint, N s, m/s
+};
+
+// Colors as 0xRRGGBBAA, alpha 255 is opaque. Fills have an alpha below 255; their outlines have the same color with alpha
+// 255. A collidable has the first color that applies: DISABLED, SENSOR, FROZEN, STATIC, KINEMATIC, ASLEEP, DYNAMIC.
+#define SCREE_COLOR_DISABLED    0x60606060u // disabled body; disabled joint, with alpha 255
+#define SCREE_COLOR_SENSOR      0xf0e06a40u // sensor, or collidable without a body
+#define SCREE_COLOR_FROZEN      0xff203080u // first body that was frozen in the last step (scree_counters.frozen_bodies)
+#define SCREE_COLOR_STATIC      0x7fae7c80u
+#define SCREE_COLOR_KINEMATIC   0x7090f080u
+#define SCREE_COLOR_ASLEEP      0x8c8ca080u
+#define SCREE_COLOR_DYNAMIC     0xe8b06080u
+#define SCREE_COLOR_FIELD       0x40b0a030u
+#define SCREE_COLOR_BOX         0xb060d0ffu
+#define SCREE_COLOR_JOINT       0x50d0d0ffu
+#define SCREE_COLOR_BROKEN      0xff7040ffu // broken joint
+#define SCREE_COLOR_TOUCHING    0xff5050ffu // contact point without a gap
+#define SCREE_COLOR_SPECULATIVE 0x70b0ffffu // contact point with a gap
+#define SCREE_COLOR_IMPULSE     0xffe050ffu // impulse along the normal
+#define SCREE_COLOR_FRICTION    0xa0e050ffu // impulse along the surface
+#define SCREE_COLOR_CENTER      0xffffffffu
+#define SCREE_COLOR_SPEED       0x80ff80ffu
+
+// The functions that draw. Each may be null, and then nothing of its kind is drawn. They are called on the thread of the
+// caller, with points in the world, m. Arrays and texts are valid during the call. A function must return, and must not
+// use the world.
+typedef struct scree_draw_def
+{
+	uint32_t size;       // set by scree_draw_def_default
+	uint32_t flags;      // bits of SCREE_DRAW_*; default SHAPES, SENSORS and JOINTS
+	float impulse_scale; // m per N s: length of impulses, 0 to 1e6, default 0.1
+	float speed_scale;   // s: length of velocities, 0 to 1e6, default 0.1
+	float length;        // m: length of normals, axes and directions, 0 to SCREE_MAX_COORDINATE, default 0.25
+	void* context;       // last argument of all functions; default null
+	// A filled polygon of 3 to 8 vertices, convex and counter-clockwise, rounded by radius (m, 0: sharp).
+	void (*polygon)(const scree_vec* vertices, int count, float radius, uint32_t color, void* context);
+	// A filled circle; a line from its center shows its rotation.
+	void (*circle)(scree_vec center, float radius, uint32_t color, void* context);
+	// A filled capsule: all points whose distance from the line between a and b is at most radius.
+	void (*capsule)(scree_vec a, scree_vec b, float radius, uint32_t color, void* context);
+	void (*line)(scree_vec a, scree_vec b, uint32_t color, void* context);
+	void (*point)(scree_vec at, float pixels, uint32_t color, void* context);    // pixels: suggested width, 3 to 6
+	void (*text)(scree_vec at, const char* text, uint32_t color, void* context); // ASCII; at: lower left corner
+} scree_draw_def;
+
+// Returns a definition with the default values and without functions.
+static inline scree_draw_def scree_draw_def_default(void);
+
+// Draws the current state of a world, contacts and boxes of the last step. box (m): only things whose bounding boxes
+// overlap it are drawn; it may be infinite; null: everything. Lines, points and texts are culled one by one. The order
+// is that of the flags, and within each that of the slots; contacts have the order of scree_world_get_contacts. Thus
+// the calls and their arguments are the same on every device. The world does not change. On failure no function has
+// been called.
+SCREE_API scree_status scree_world_draw(scree_world* world, const scree_draw_def* def, const scree_box* box);
+
+typedef struct scree_collidable_state
+{
+	scree_collidable collidable;
+	scree_body body; // null: the collidable belongs to no body
+	scree_attribute attribute;
+	scree_pose pose;          // pose of the shape in the world, as in scree_render_row
+	const scree_shape* shape; // memory of the world, valid until the next call that changes the world
+	uint64_t user;            // user data of the collidable
+	uint32_t sensor;          // bits of SCREE_SENSOR_*
+	scree_body_type type;     // type of the body; SCREE_BODY_STATIC without a body
+	bool asleep, disabled;    // state of the body
+} scree_collidable_state;
+
+// Writes the states of up to capacity collidables in ascending index order, and sets count to their number: those whose
+// bounding boxes overlap a box (m; it may be infinite), or all of them if box is null. Disabled bodies are included.
+static inline scree_status scree_world_get_collidable_states(scree_world* world, const scree_box* box,
+                                                             scree_collidable_state* states, int capacity, int* count);
+
+// ---------------------------------------------------------------------------------------------------------------
 // Versions
 //
 // The static inline functions above call the library functions below and pass the size of the struct in the program. A
@@ -2418,6 +2509,23 @@ SCREE_API scree_status scree_world_overlap_box_sized(scree_world* world, scree_b
 static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_query_results* list)
 {
 	return scree_world_overlap_box_sized(world, box, list, sizeof *list);
+}
+
+SCREE_API void scree_draw_def_default_sized(scree_draw_def* def, size_t size);
+static inline scree_draw_def scree_draw_def_default(void)
+{
+	scree_draw_def def;
+	scree_draw_def_default_sized(&def, sizeof def);
+	return def;
+}
+
+SCREE_API scree_status scree_world_get_collidable_states_sized(scree_world* world, const scree_box* box,
+                                                               scree_collidable_state* states, size_t size,
+                                                               int capacity, int* count);
+static inline scree_status scree_world_get_collidable_states(scree_world* world, const scree_box* box,
+                                                             scree_collidable_state* states, int capacity, int* count)
+{
+	return scree_world_get_collidable_states_sized(world, box, states, sizeof *states, capacity, count);
 }
 
 #ifdef __cplusplus

@@ -31,6 +31,7 @@ const DefinitionType field_definition = {sizeof(scree_field_def), END_OF(scree_f
                                          "scree_field_def_default"};
 const DefinitionType record_definition = {sizeof(scree_record_def), END_OF(scree_record_def, hash_interval),
                                           "scree_record_def_default"};
+const DefinitionType draw_definition = {sizeof(scree_draw_def), END_OF(scree_draw_def, text), "scree_draw_def_default"};
 
 static uint32_t size_of(const void* def)
 {
