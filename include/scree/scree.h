@@ -1551,7 +1551,7 @@ typedef struct scree_contact_point
 	float separation;      // m, negative if overlapping, at the start of the last step; for a speculative contact the
 	                       // remaining gap
 	float normal_impulse;  // N s, impulse of the last substep
-	float tangent_impulse; // N s, impulse of the last substep
+	float tangent_impulse; // N s, impulse of the last substep, along (normal.y, -normal.x)
 	uint32_t feature;      // id of the two touching features; constant while they touch
 } scree_contact_point;
 

@@ -35,7 +35,7 @@ void draw_impulses(const Pen* pen)
 	for (int k = 0; k < pen->rows->contact_count; ++k)
 	{
 		const scree_contact* contact = pen->rows->contacts + k;
-		scree_vec tangent = {-contact->normal.y, contact->normal.x};
+		scree_vec tangent = {contact->normal.y, -contact->normal.x}; // as in contact_constraint.h
 		for (int i = 0; i < contact->count; ++i)
 		{
 			const scree_contact_point* point = contact->points + i;
