@@ -236,6 +236,7 @@ static void draw_timed(scree_world* world, const char* name, uint32_t flags, con
 	{
 		double begin = seconds_now();
 		scree_draw_def def = log_def(&drawing, flags);
+		drawing.brief = true;
 		OK(scree_world_draw(world, &def, box));
 		times[k] = seconds_now() - begin;
 		for (int i = k; i > 0 && times[i] < times[i - 1]; --i)

@@ -10,6 +10,12 @@ static void add(DrawLog* log, DrawnKind kind, const scree_vec* points, int count
                 uint32_t color)
 {
 	Drawn drawn;
+	++log->counts[kind];
+	if (log->brief)
+	{
+		++log->total;
+		return;
+	}
 	memset(&drawn, 0, sizeof drawn);
 	drawn.kind = kind;
 	drawn.color = color;
@@ -23,7 +29,6 @@ static void add(DrawLog* log, DrawnKind kind, const scree_vec* points, int count
 	log->hash = hash_bytes(log->hash, &drawn, sizeof drawn);
 	if (log->total < MOST_STORED)
 		log->entries[log->total] = drawn;
-	++log->counts[kind];
 	++log->total;
 }
 
@@ -61,6 +66,7 @@ scree_draw_def log_def(DrawLog* log, uint32_t flags)
 {
 	scree_draw_def def = scree_draw_def_default();
 	log->total = 0;
+	log->brief = false;
 	log->hash = HASH_BEGIN;
 	memset(log->counts, 0, sizeof log->counts);
 	def.flags = flags;

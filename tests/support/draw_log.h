@@ -31,6 +31,7 @@ typedef struct
 {
 	Drawn entries[MOST_STORED];
 	int total, counts[DRAWN_KINDS];
+	bool brief;    // true: entries are counted, but neither stored nor hashed
 	uint64_t hash; // of all entries in order
 } DrawLog;
 
