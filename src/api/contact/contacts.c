@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // contacts.c -- reads the contacts and overlaps of the last step from the device.
-#include "api/contact/contacts.h"
 #include "api/contact/contact_result.h"
 #include "constraints/constraint_kinds.h"
 #include "constraints/contact_report_points.h"
@@ -15,7 +14,6 @@
 #include "world/record/api_calls.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
-#include <math.h>
 
 typedef struct // pools of contacts, and the world shapes of their collidables
 {
@@ -29,7 +27,6 @@ typedef struct // pools of contacts, and the world shapes of their collidables
 	ContactRareRows* rare; // null if the world does not store details
 	ContactKept* kept;     // impulses of contacts of sleeping bodies; null if no body slept in the last step
 	WorldShape* placed;
-	const scree_box* view; // box in which contacts are wanted; null: everywhere
 } Rows;
 
 static scree_status read_pool(scree_world* world, const char* function, PoolId pool, int count, void** rows)
@@ -66,25 +63,10 @@ static bool both_were_there(const scree_world* world, Int2 pair)
 	return was_there(world, pair.x) && was_there(world, pair.y);
 }
 
-// Returns whether a contact may have a point in the box: each point is halfway between a point of either shape.
-static bool is_near(const scree_world* world, const Rows* rows, Int2 pair)
-{
-	const WorldShape *a = rows->placed + pair.x, *b = rows->placed + pair.y;
-	float reach_a = world->attributes[world->host_collidables[pair.x].attribute].shape.reach;
-	float reach_b = world->attributes[world->host_collidables[pair.y].attribute].shape.reach;
-	scree_box box = {{fminf(a->x - reach_a, b->x - reach_b), fminf(a->y - reach_a, b->y - reach_b)},
-	                 {fmaxf(a->x + reach_a, b->x + reach_b), fmaxf(a->y + reach_a, b->y + reach_b)}};
-	// a manifold that was predicted for later poses has points that are slightly outside
-	float slack = 0.1f + 0.1f * (box.upper.x - box.lower.x + box.upper.y - box.lower.y);
-	return box.lower.x - slack <= rows->view->upper.x && box.upper.x + slack >= rows->view->lower.x &&
-	       box.lower.y - slack <= rows->view->upper.y && box.upper.y + slack >= rows->view->lower.y;
-}
-
 static bool is_wanted(const scree_world* world, const Rows* rows, int k, Word detected)
 {
 	Word flags = rows->flags[k] & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING);
-	return flags == (CONTACT_TOUCHING | detected) && both_were_there(world, rows->pair[k]) &&
-	       (!rows->view || is_near(world, rows, rows->pair[k]));
+	return flags == (CONTACT_TOUCHING | detected) && both_were_there(world, rows->pair[k]);
 }
 
 static ContactReport contact_report_at(const scree_world* world, const Rows* rows, int k)
@@ -142,94 +124,39 @@ static scree_contact contact_at(const scree_world* world, const ContactReport* r
 	return contact;
 }
 
-// Reads the pools of all contacts, except those that decide which contacts are wanted.
-static scree_status read_contacts(scree_world* world, const char* function, int slots, Rows* rows)
-{
-	TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
-	TRY(read_pool(world, function, POOL_contact_manifold, slots, (void**)&rows->manifold));
-	TRY(read_pool(world, function, POOL_contact_color, slots, (void**)&rows->color));
-	TRY(read_pool(world, function, POOL_contact_place, slots, (void**)&rows->place));
-	int blocks = world->pipeline.counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1] / MAX_LANES;
-	if (blocks > 0)
-		TRY(read_pool(world, function, POOL_contact_rows, blocks, (void**)&rows->blocks));
-	if (blocks > 0 && world->def.contact_details)
-		TRY(read_pool(world, function, POOL_contact_rare_rows, blocks, (void**)&rows->rare));
-	if (world->pipeline.sleeps)
-		TRY(read_pool(world, function, POOL_contact_kept, slots, (void**)&rows->kept));
-	return SCREE_OK;
-}
-
-static scree_status read_placed(scree_world* world, const char* function, Rows* rows)
-{
-	return read_pool(world, function, POOL_world_shape, world->collidables.used, (void**)&rows->placed);
-}
-
-// Reads the pools that decide which contacts are wanted, and counts these.
-static scree_status count_wanted(scree_world* world, const char* function, Word detected, int slots, Rows* rows,
-                                 int* total)
-{
-	TRY(read_pool(world, function, POOL_contact_flags, slots, (void**)&rows->flags));
-	TRY(read_pool(world, function, POOL_pair, slots, (void**)&rows->pair));
-	*total = 0;
-	for (int k = 0; k < slots; ++k)
-		*total += is_wanted(world, rows, k, detected);
-	return SCREE_OK;
-}
-
-static void write_wanted(const scree_world* world, const Rows* rows, Word detected, int slots, scree_contact* contacts,
-                         size_t size, int capacity)
-{
-	for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
-	{
-		if (!is_wanted(world, rows, k, detected))
-			continue;
-		ContactReport row = contact_report_at(world, rows, k);
-		scree_contact contact = contact_at(world, &row);
-		write_result((char*)contacts + size * (size_t)listed++, size, &contact, sizeof contact);
-	}
-}
-
 static scree_status list(scree_world* world, const char* function, Word detected, scree_contact* contacts, size_t size,
                          int capacity, int* count, Rows* rows)
 {
 	int slots = world->pipeline.counters.contacts, total = 0;
-	TRY(count_wanted(world, function, detected, slots, rows, &total));
+	TRY(read_pool(world, function, POOL_contact_flags, slots, (void**)&rows->flags));
+	TRY(read_pool(world, function, POOL_pair, slots, (void**)&rows->pair));
+	for (int k = 0; k < slots; ++k)
+		total += is_wanted(world, rows, k, detected);
 	if (total > 0 && capacity > 0)
 	{
-		TRY(read_contacts(world, function, slots, rows));
-		TRY(read_placed(world, function, rows));
-		write_wanted(world, rows, detected, slots, contacts, size, capacity);
+		TRY(read_pool(world, function, POOL_contact_feature, slots, (void**)&rows->feature));
+		TRY(read_pool(world, function, POOL_contact_manifold, slots, (void**)&rows->manifold));
+		TRY(read_pool(world, function, POOL_contact_color, slots, (void**)&rows->color));
+		TRY(read_pool(world, function, POOL_contact_place, slots, (void**)&rows->place));
+		int blocks = world->pipeline.counters.layout[CONSTRAINT_CONTACT].begin[COLORS + 1] / MAX_LANES;
+		if (blocks > 0)
+			TRY(read_pool(world, function, POOL_contact_rows, blocks, (void**)&rows->blocks));
+		if (blocks > 0 && world->def.contact_details)
+			TRY(read_pool(world, function, POOL_contact_rare_rows, blocks, (void**)&rows->rare));
+		if (world->pipeline.sleeps)
+			TRY(read_pool(world, function, POOL_contact_kept, slots, (void**)&rows->kept));
+		TRY(read_pool(world, function, POOL_world_shape, world->collidables.used, (void**)&rows->placed));
+		for (int k = 0, listed = 0; k < slots && listed < capacity; ++k)
+		{
+			if (!is_wanted(world, rows, k, detected))
+				continue;
+			ContactReport row = contact_report_at(world, rows, k);
+			scree_contact contact = contact_at(world, &row);
+			write_result((char*)contacts + size * (size_t)listed++, size, &contact, sizeof contact);
+		}
 	}
 	*count = total;
 	return SCREE_OK;
-}
-
-static scree_status find(scree_world* world, const char* function, scree_contact** contacts, int* count, Rows* rows)
-{
-	int slots = world->pipeline.counters.contacts, total = 0;
-	TRY(read_placed(world, function, rows));
-	TRY(count_wanted(world, function, 0, slots, rows, &total));
-	if (total == 0)
-		return SCREE_OK;
-	*contacts = scree_allocate((size_t)total * sizeof **contacts);
-	if (!*contacts)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d contacts", function, total);
-	TRY(read_contacts(world, function, slots, rows));
-	write_wanted(world, rows, 0, slots, *contacts, sizeof **contacts, total);
-	*count = total;
-	return SCREE_OK;
-}
-
-scree_status contacts_find(scree_world* world, const char* function, const scree_box* view, scree_contact** contacts,
-                           int* count)
-{
-	Rows rows = {.view = view};
-	*count = 0;
-	if (world->pipeline.counters.contacts == 0)
-		return SCREE_OK;
-	scree_status status = find(world, function, contacts, count, &rows);
-	release(&rows);
-	return status;
 }
 
 static scree_status get(scree_world* world, const char* function, const char* argument, Word detected,

@@ -66,20 +66,28 @@ static void draw_speed(const Pen* pen, int body)
 	pen_number(pen, to, (float)speed, "m/s", SCREE_COLOR_SPEED);
 }
 
+static void draw_index(const Pen* pen, int body)
+{
+	scree_vec at = {pen->rows->poses[body].x, pen->rows->poses[body].y};
+	char index[16];
+	if (!pen_labels(pen, at))
+		return;
+	snprintf(index, sizeof index, "%d", body);
+	pen_label(pen, at, index, SCREE_COLOR_CENTER);
+}
+
 void draw_bodies(const Pen* pen)
 {
-	const scree_world* world = pen->world;
-	for (int k = 1; k < world->bodies.used; ++k)
+	const Slots* slots = &pen->world->bodies;
+	for (int k = 1; k < slots->used; ++k)
 	{
-		char index[16];
-		if (!slots_in_use(&world->bodies, k))
+		if (!slots_in_use(slots, k))
 			continue;
 		if (pen_draws(pen, SCREE_DRAW_CENTERS))
 			draw_center(pen, k);
-		snprintf(index, sizeof index, "%d", k);
-		pen_label(pen, (scree_vec){pen->rows->poses[k].x, pen->rows->poses[k].y}, index, SCREE_COLOR_CENTER);
+		draw_index(pen, k);
 	}
-	for (int k = 1; k < world->bodies.used && pen_draws(pen, SCREE_DRAW_SPEEDS); ++k)
-		if (slots_in_use(&world->bodies, k))
+	for (int k = 1; k < slots->used && pen_draws(pen, SCREE_DRAW_SPEEDS); ++k)
+		if (slots_in_use(slots, k))
 			draw_speed(pen, k);
 }

@@ -29,9 +29,14 @@ void pen_point(const Pen* pen, scree_vec at, float pixels, uint32_t color)
 		pen->def->point(at, pixels, color, pen->def->context);
 }
 
+bool pen_labels(const Pen* pen, scree_vec at)
+{
+	return pen->def->text && pen_draws(pen, SCREE_DRAW_LABELS) && is_visible(pen, at);
+}
+
 void pen_label(const Pen* pen, scree_vec at, const char* text, uint32_t color)
 {
-	if (pen->def->text && pen_draws(pen, SCREE_DRAW_LABELS) && is_visible(pen, at))
+	if (pen_labels(pen, at))
 		pen->def->text(at, text, opaque(color), pen->def->context);
 }
 
@@ -39,6 +44,8 @@ void pen_number(const Pen* pen, scree_vec at, float number, const char* unit, ui
 {
 	char text[48], plain[48];
 	int length = 0;
+	if (!pen_labels(pen, at))
+		return;
 	snprintf(text, sizeof text, "%.3g", (double)number);
 	// the point of a locale may be another letter, or several bytes
 	for (const char* c = text; *c; ++c)

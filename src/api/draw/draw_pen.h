@@ -24,6 +24,9 @@ void pen_line(const Pen* pen, scree_vec a, scree_vec b, uint32_t color);
 void pen_point(const Pen* pen, scree_vec at, float pixels, uint32_t color);
 void pen_shape(const Pen* pen, const scree_shape* shape, scree_pose pose, uint32_t color);
 
+// Returns whether a text at a point would be drawn.
+bool pen_labels(const Pen* pen, scree_vec at);
+
 // Draw a text, and a number with three digits and a unit, if labels are drawn.
 void pen_label(const Pen* pen, scree_vec at, const char* text, uint32_t color);
 void pen_number(const Pen* pen, scree_vec at, float number, const char* unit, uint32_t color);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // draw_rows.c -- reads the arrays of a device from which a world is drawn and its collidables are listed.
 #include "api/draw/draw_rows.h"
-#include "api/contact/contacts.h"
 #include "step/state_readback.h"
 #include "world/check.h"
 #include "world/failure.h"
 #include "world/pool_read.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/upload/upload.h"
 #include <math.h>
@@ -51,8 +51,19 @@ static scree_status read_shapes(scree_world* world, const char* function, DrawRo
 	return SCREE_OK;
 }
 
-scree_status draw_rows_read(scree_world* world, const char* function, uint32_t flags, const scree_box* view,
-                            DrawRows* rows)
+static scree_status read_contacts(scree_world* world, const char* function, DrawRows* rows)
+{
+	int count = 0;
+	TRY(api_world_get_contacts_sized(world, NULL, sizeof *rows->contacts, 0, &count));
+	if (count == 0)
+		return SCREE_OK;
+	rows->contacts = scree_allocate((size_t)count * sizeof *rows->contacts);
+	if (!rows->contacts)
+		return no_memory(function, (size_t)count * sizeof *rows->contacts);
+	return api_world_get_contacts_sized(world, rows->contacts, sizeof *rows->contacts, count, &rows->contact_count);
+}
+
+scree_status draw_rows_read(scree_world* world, const char* function, uint32_t flags, DrawRows* rows)
 {
 	rows->frozen = -1;
 	TRY(world_upload(world));
@@ -66,9 +77,7 @@ scree_status draw_rows_read(scree_world* world, const char* function, uint32_t f
 		TRY(read_pool(world, function, POOL_box, world->collidables.used, (void**)&rows->boxes));
 	if (flags & SCREE_DRAW_JOINTS)
 		TRY(read_pool(world, function, POOL_joint_flags, world->joints.used, (void**)&rows->joint_flags));
-	if (flags & CONTACTS_NEEDED)
-		TRY(contacts_find(world, function, view, &rows->contacts, &rows->contact_count));
-	return SCREE_OK;
+	return flags & CONTACTS_NEEDED ? read_contacts(world, function, rows) : SCREE_OK;
 }
 
 void draw_rows_release(DrawRows* rows)

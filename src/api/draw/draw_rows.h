@@ -17,10 +17,8 @@ typedef struct // arrays of the device; null: not read, because nothing needs it
 	int frozen; // first body that was frozen in the last step, -1 for none
 } DrawRows;
 
-// Reads the arrays that flags (SCREE_DRAW_*) need; of contacts, only those that may be in the view. *rows is released by
-// draw_rows_release, also after a failure.
-scree_status draw_rows_read(scree_world* world, const char* function, uint32_t flags, const scree_box* view,
-                            DrawRows* rows);
+// Reads the arrays that flags (SCREE_DRAW_*) need. *rows is released by draw_rows_release, also after a failure.
+scree_status draw_rows_read(scree_world* world, const char* function, uint32_t flags, DrawRows* rows);
 void draw_rows_release(DrawRows* rows);
 
 // Checks the box of a call, and sets *view to it; to all numbers if the box is null.

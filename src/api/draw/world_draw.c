@@ -66,7 +66,7 @@ scree_status api_world_draw(scree_world* world, const scree_draw_def* def, const
 	TRY(check_draw(function, def));
 	TRY(draw_view(function, box, &view));
 	DrawRows rows = {0};
-	scree_status status = draw_rows_read(world, function, def->flags, &view, &rows);
+	scree_status status = draw_rows_read(world, function, def->flags, &rows);
 	if (status == SCREE_OK)
 		draw(&(Pen){.world = world, .rows = &rows, .def = def, .view = view});
 	draw_rows_release(&rows);
@@ -130,7 +130,7 @@ scree_status api_world_get_collidable_states_sized(scree_world* world, const scr
 	TRY(check_list(function, "states", states, capacity, count));
 	TRY(draw_view(function, box, &view));
 	DrawRows rows = {0};
-	scree_status status = draw_rows_read(world, function, SCREE_DRAW_SHAPES, &view, &rows);
+	scree_status status = draw_rows_read(world, function, SCREE_DRAW_SHAPES, &rows);
 	if (status == SCREE_OK)
 		*count = list_states(world, &rows, &view, states, size, capacity);
 	draw_rows_release(&rows);
