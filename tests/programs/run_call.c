@@ -194,6 +194,8 @@ static scree_status run_read(const CallRun* r)
 		status = read_paths(r, &word);
 	if (status == SCREE_OK)
 		status = read_fields(r, &word);
+	if (status == SCREE_OK)
+		status = read_drawing(r, &word);
 	r->left->word = word;
 	return status;
 }

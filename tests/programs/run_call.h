@@ -86,6 +86,9 @@ scree_status clear_fields(const CallRun* run);
 scree_status run_sleep(const CallRun* run);
 scree_status read_sleep(const CallRun* run, scree_body body, uint64_t* word);
 
+// read_drawing.c: mixes a drawing of the whole world into a word.
+scree_status read_drawing(const CallRun* run, uint64_t* word);
+
 // run_query.c: makes queries and blasts, and mixes their results into a word.
 scree_status run_ask(const CallRun* run);
 scree_status run_blast(const CallRun* run);

@@ -32,7 +32,7 @@ typedef struct
 	Drawn entries[MOST_STORED];
 	int total, counts[DRAWN_KINDS];
 	bool brief;    // true: entries are counted, but neither stored nor hashed
-	uint64_t hash; // of all entries in order
+	uint64_t hash; // hash of all entries in order
 } DrawLog;
 
 // Returns a definition with these flags that draws into a log.

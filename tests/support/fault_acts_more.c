@@ -163,6 +163,13 @@ scree_status act_rows(FaultRun* s)
 	return scree_world_get_render_rows(s->world, rows, 2 * BODIES, &count);
 }
 
+scree_status act_draw(FaultRun* s)
+{
+	scree_draw_def def = scree_draw_def_default();
+	def.flags = 2 * SCREE_DRAW_LABELS - 1;
+	return scree_world_draw(s->world, &def, NULL);
+}
+
 scree_status act_visits(FaultRun* s)
 {
 	scree_visit visits[QUERIES];
@@ -234,15 +241,43 @@ const FaultAct fault_acts[FAULT_ACTS] = {
 void check_broken(FaultRun* s, scree_status status)
 {
 	static const Act refused[] = {
-	    act_more_attributes, act_slab,     act_forces,        act_step,
-	    act_contacts,        act_overlaps, act_counters,      act_free,
-	    act_timings,         act_filter,   act_mass,          act_look,
-	    act_enable,          act_target,   act_body_contacts, act_rays,
-	    act_casts,           act_nearest,  act_listed,        act_moved,
-	    act_states,          act_destroy,  act_rows,          act_blast,
-	    act_awake,           act_snapshot, act_move_back,     act_joint_events,
-	    act_dress,           act_save,     act_load,          act_movers,
-	    act_clone,           act_material, act_exclude,       act_field,
+	    act_more_attributes,
+	    act_slab,
+	    act_forces,
+	    act_step,
+	    act_contacts,
+	    act_overlaps,
+	    act_counters,
+	    act_free,
+	    act_timings,
+	    act_filter,
+	    act_mass,
+	    act_look,
+	    act_enable,
+	    act_target,
+	    act_body_contacts,
+	    act_rays,
+	    act_casts,
+	    act_nearest,
+	    act_listed,
+	    act_moved,
+	    act_states,
+	    act_destroy,
+	    act_rows,
+	    act_blast,
+	    act_awake,
+	    act_snapshot,
+	    act_move_back,
+	    act_joint_events,
+	    act_dress,
+	    act_save,
+	    act_load,
+	    act_movers,
+	    act_clone,
+	    act_material,
+	    act_exclude,
+	    act_field,
+	    act_draw,
 	};
 	for (size_t k = 0; k < sizeof refused / sizeof *refused; ++k)
 	{

@@ -111,7 +111,7 @@ const functionTable = described.filter((f) => !without_method.test(f.name))
 // Converts names of enumerations, such as scree_body_type to BodyType. Bits such as SCREE_LOCK_X become members of
 // Lock.
 const camel = (name) => name.replace(/(^|_)([a-z0-9])/g, (_, bar, letter) => letter.toUpperCase());
-const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level/.test(name)).map(([name, e]) => {
+const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level|_DRAW_/.test(name)).map(([name, e]) => {
 	const names = Object.keys(e.members);
 	let prefix = names[0].slice(0, names[0].lastIndexOf("_") + 1);
 	while (prefix && !names.every((other) => other.startsWith(prefix)))

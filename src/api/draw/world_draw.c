@@ -32,7 +32,7 @@ static scree_status check_draw(const char* function, const scree_draw_def* def)
 	return check_real(at, ".length", def->length, 0.0f, SCREE_MAX_COORDINATE);
 }
 
-// Calls the functions of the program, when nothing can fail any more. The order is that of SCREE_DRAW_*.
+// Calls the functions of the program, after all that can fail. The order is that of SCREE_DRAW_*.
 static void draw(const Pen* pen)
 {
 	if (pen_draws(pen, SCREE_DRAW_FIELDS))
