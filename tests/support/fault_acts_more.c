@@ -241,43 +241,15 @@ const FaultAct fault_acts[FAULT_ACTS] = {
 void check_broken(FaultRun* s, scree_status status)
 {
 	static const Act refused[] = {
-	    act_more_attributes,
-	    act_slab,
-	    act_forces,
-	    act_step,
-	    act_contacts,
-	    act_overlaps,
-	    act_counters,
-	    act_free,
-	    act_timings,
-	    act_filter,
-	    act_mass,
-	    act_look,
-	    act_enable,
-	    act_target,
-	    act_body_contacts,
-	    act_rays,
-	    act_casts,
-	    act_nearest,
-	    act_listed,
-	    act_moved,
-	    act_states,
-	    act_destroy,
-	    act_rows,
-	    act_blast,
-	    act_awake,
-	    act_snapshot,
-	    act_move_back,
-	    act_joint_events,
-	    act_dress,
-	    act_save,
-	    act_load,
-	    act_movers,
-	    act_clone,
-	    act_material,
-	    act_exclude,
-	    act_field,
-	    act_draw,
+	    act_more_attributes, act_slab,     act_forces,        act_step,
+	    act_contacts,        act_overlaps, act_counters,      act_free,
+	    act_timings,         act_filter,   act_mass,          act_look,
+	    act_enable,          act_target,   act_body_contacts, act_rays,
+	    act_casts,           act_nearest,  act_listed,        act_moved,
+	    act_states,          act_destroy,  act_rows,          act_blast,
+	    act_awake,           act_snapshot, act_move_back,     act_joint_events,
+	    act_dress,           act_save,     act_load,          act_movers,
+	    act_clone,           act_material, act_exclude,       act_field,
 	};
 	for (size_t k = 0; k < sizeof refused / sizeof *refused; ++k)
 	{
@@ -286,6 +258,7 @@ void check_broken(FaultRun* s, scree_status status)
 	}
 	uint64_t hash;
 	assert_int_equal(scree_world_get_hash(s->world, &hash), status);
+	assert_int_equal(act_draw(s), status);
 	assert_int_equal(scree_world_wait(s->world), status);
 	assert_int_equal(scree_world_set_gravity(s->world, (scree_vec){0.0f, 0.0f}), status);
 

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#define MOST_LENGTH 1e8f // m: bodies get no farther; a line of a larger impulse might end at infinity
+
 void draw_contacts(const Pen* pen)
 {
 	for (int k = 0; k < pen->rows->contact_count; ++k)
@@ -22,7 +24,7 @@ void draw_contacts(const Pen* pen)
 // Draws an impulse on collidable b along a unit vector, with its size in N s.
 static void draw_impulse(const Pen* pen, scree_vec at, scree_vec direction, float impulse, uint32_t color)
 {
-	float length = impulse * pen->def->impulse_scale;
+	float length = fminf(fmaxf(impulse * pen->def->impulse_scale, -MOST_LENGTH), MOST_LENGTH);
 	if (impulse == 0.0f)
 		return;
 	pen_ray(pen, at, direction, length, color);
