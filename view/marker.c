@@ -57,7 +57,7 @@ static void mark_impulses(Strokes* strokes, const scree_contact* contacts, int c
 		int opacity = dense || !line ? 150 : 255;
 		for (int k = 0; k < count; ++k)
 		{
-			scree_vec normal = contacts[k].normal, across = {-normal.y, normal.x};
+			scree_vec normal = contacts[k].normal, across = {normal.y, -normal.x}; // direction of tangent impulses
 			for (int n = 0; n < contacts[k].count; ++n)
 			{
 				const scree_contact_point* p = &contacts[k].points[n];
