@@ -665,13 +665,15 @@ typedef struct scree_attribute_def
 static inline scree_attribute_def scree_attribute_def_default(void);
 
 // Creates an attribute, or returns the existing one with equal values. Attributes are immutable. An attribute exists
-// until it or its world is destroyed.
+// until it or its world is destroyed. A program needs no attribute for a shape that it gives with its body
+// (scree_body_create_with_shape): collidables then own theirs, and never share one of scree_attribute_create.
 SCREE_API scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def,
                                               scree_attribute* attribute);
 
 // Reverts one scree_attribute_create. An attribute that was created n times, with equal values, is destroyed by the
 // n-th call. That call fails with SCREE_ERROR_INVALID while a collidable uses the attribute. Later attributes reuse the
-// slot; the handle stays stale.
+// slot; the handle stays stale. An attribute that collidables own is refused with SCREE_ERROR_INVALID: it ends with the
+// last of them.
 SCREE_API scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute);
 
 // Returns true if the handle refers to an existing attribute.
@@ -680,6 +682,15 @@ SCREE_API bool scree_attribute_is_valid(const scree_world* world, scree_attribut
 // Returns the values with which an attribute was created.
 static inline scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
                                                    scree_attribute_def* def);
+
+typedef struct scree_surface // values of scree_attribute_def, with the same units, ranges and defaults
+{
+	uint32_t size; // set by scree_surface_default
+	float friction, restitution, rolling_resistance, tangent_speed;
+} scree_surface;
+
+// Returns a surface with the default values: friction 0.6, all others 0.
+static inline scree_surface scree_surface_default(void);
 
 typedef struct scree_material_pair // surface values of a pair of materials, which replace those of their attributes
 {
@@ -801,6 +812,32 @@ SCREE_API scree_status scree_bodies_create(scree_world* world, const scree_body_
 
 // Creates one body and writes its handle to *body (may be null).
 SCREE_API scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body);
+
+// Creates count bodies, each with one collidable of the shape and surface shapes[k], at the body's origin. The collidable
+// owns its attribute: no handle of it is needed, equal ones share a slot, and it ends when the last collidable that uses
+// it is destroyed or gets another. defs[k].attribute must be null; filter, user data, reports and sensor of defs[k] are
+// those of the collidable too. On failure no body and no attribute is created.
+SCREE_API scree_status scree_bodies_create_with_shapes(scree_world* world, const scree_body_def* defs,
+                                                       const scree_attribute_def* shapes, int count,
+                                                       scree_body* bodies);
+// Creates one body with a shape, as above, and writes its handle to *body (may be null).
+SCREE_API scree_status scree_body_create_with_shape(scree_world* world, const scree_body_def* def,
+                                                    const scree_attribute_def* shape, scree_body* body);
+
+// Create one body with one shape in one call. They use the default values of scree_body_def and scree_attribute_def,
+// make the shape as the scree_shape_make_ function with that name does, and call scree_body_create_with_shape. user: user
+// data of the body and of its collidable. body may be null. They fail as these two functions do, whose names are in the
+// message; on failure nothing is created.
+static inline scree_status scree_body_create_box(scree_world* world, scree_body_type type, scree_pose pose,
+                                                 float half_width, float half_height, uint64_t user, scree_body* body);
+static inline scree_status scree_body_create_circle(scree_world* world, scree_body_type type, scree_pose pose,
+                                                    float radius, uint64_t user, scree_body* body);
+static inline scree_status scree_body_create_capsule(scree_world* world, scree_body_type type, scree_pose pose,
+                                                     scree_vec a, scree_vec b, float radius, uint64_t user,
+                                                     scree_body* body);
+static inline scree_status scree_body_create_polygon(scree_world* world, scree_body_type type, scree_pose pose,
+                                                     const scree_vec* vertices, int count, float radius, uint64_t user,
+                                                     scree_body* body);
 
 // Destroys bodies with their collidables, contacts, joints and fields. On failure, for instance because a body is twice
 // in the batch, no body is destroyed.
@@ -1122,6 +1159,16 @@ SCREE_API scree_status scree_collidables_create(scree_world* world, const scree_
 SCREE_API scree_status scree_collidable_create(scree_world* world, const scree_collidable_def* def,
                                                scree_collidable* collidable);
 
+// Creates count collidables, each of the shape and surface shapes[k], which it owns as the collidables of
+// scree_bodies_create_with_shapes do. defs[k].attribute must be null. On failure nothing is created.
+SCREE_API scree_status scree_collidables_create_with_shapes(scree_world* world, const scree_collidable_def* defs,
+                                                            const scree_attribute_def* shapes, int count,
+                                                            scree_collidable* collidables);
+// Creates one collidable with a shape, as above, and writes its handle to *collidable (may be null).
+SCREE_API scree_status scree_collidable_create_with_shape(scree_world* world, const scree_collidable_def* def,
+                                                          const scree_attribute_def* shape,
+                                                          scree_collidable* collidable);
+
 // Destroys collidables with their contacts; the masses of their bodies are computed again. On failure, for instance
 // because a collidable is twice in the batch, no collidable is destroyed.
 SCREE_API scree_status scree_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count);
@@ -1141,7 +1188,8 @@ SCREE_API scree_status scree_body_get_collidables(const scree_world* world, scre
 // Returns the body of a collidable, or a null handle.
 SCREE_API scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable,
                                                  scree_body* body);
-// Returns the attribute of a collidable.
+// Returns the attribute of a collidable. The handle of an attribute that the collidable owns may be given to others; they
+// own it too.
 SCREE_API scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
                                                       scree_attribute* attribute);
 // Replaces the attribute. If the new shape is equal to the old one, contacts keep their impulses and use the surface of
@@ -1150,6 +1198,14 @@ SCREE_API scree_status scree_collidable_get_attribute(const scree_world* world, 
 // nothing.
 SCREE_API scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable,
                                                       scree_attribute attribute);
+// Replaces the surface of one collidable; its shape, density, one_way and material stay. The collidable owns the attribute
+// with the new surface afterwards, and others that used the old one keep that. Contacts keep their impulses, and use the
+// new surface from the next step on. Setting the current surface changes nothing, and wakes nothing.
+SCREE_API scree_status scree_collidable_set_surface(scree_world* world, scree_collidable collidable,
+                                                    const scree_surface* surface);
+// Returns the surface of a collidable.
+static inline scree_status scree_collidable_get_surface(const scree_world* world, scree_collidable collidable,
+                                                        scree_surface* surface);
 // Returns the pose in the body's frame, or in the world for a collidable without a body.
 SCREE_API scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable,
                                                        scree_pose* pose);
@@ -2241,6 +2297,63 @@ static inline scree_body_def scree_body_def_default(void)
 	scree_body_def def;
 	scree_body_def_default_sized(&def, sizeof def);
 	return def;
+}
+
+static inline scree_status scree_body_create_made(scree_world* world, scree_body_type type, scree_pose pose,
+                                                  const scree_attribute_def* shape, uint64_t user, scree_body* body)
+{
+	scree_body_def def = scree_body_def_default();
+	def.type = type;
+	def.pose = pose;
+	def.user = user;
+	return scree_body_create_with_shape(world, &def, shape, body);
+}
+static inline scree_status scree_body_create_box(scree_world* world, scree_body_type type, scree_pose pose,
+                                                 float half_width, float half_height, uint64_t user, scree_body* body)
+{
+	scree_attribute_def shape = scree_attribute_def_default();
+	scree_status status = scree_shape_make_box(half_width, half_height, &shape.shape);
+	return status == SCREE_OK ? scree_body_create_made(world, type, pose, &shape, user, body) : status;
+}
+static inline scree_status scree_body_create_circle(scree_world* world, scree_body_type type, scree_pose pose,
+                                                    float radius, uint64_t user, scree_body* body)
+{
+	scree_attribute_def shape = scree_attribute_def_default();
+	scree_vec center = {0.0f, 0.0f};
+	scree_status status = scree_shape_make_circle(center, radius, &shape.shape);
+	return status == SCREE_OK ? scree_body_create_made(world, type, pose, &shape, user, body) : status;
+}
+static inline scree_status scree_body_create_capsule(scree_world* world, scree_body_type type, scree_pose pose,
+                                                     scree_vec a, scree_vec b, float radius, uint64_t user,
+                                                     scree_body* body)
+{
+	scree_attribute_def shape = scree_attribute_def_default();
+	scree_status status = scree_shape_make_capsule(a, b, radius, &shape.shape);
+	return status == SCREE_OK ? scree_body_create_made(world, type, pose, &shape, user, body) : status;
+}
+static inline scree_status scree_body_create_polygon(scree_world* world, scree_body_type type, scree_pose pose,
+                                                     const scree_vec* vertices, int count, float radius, uint64_t user,
+                                                     scree_body* body)
+{
+	scree_attribute_def shape = scree_attribute_def_default();
+	scree_status status = scree_shape_make_polygon(vertices, count, radius, &shape.shape);
+	return status == SCREE_OK ? scree_body_create_made(world, type, pose, &shape, user, body) : status;
+}
+
+SCREE_API void scree_surface_default_sized(scree_surface* surface, size_t size);
+static inline scree_surface scree_surface_default(void)
+{
+	scree_surface surface;
+	scree_surface_default_sized(&surface, sizeof surface);
+	return surface;
+}
+
+SCREE_API scree_status scree_collidable_get_surface_sized(const scree_world* world, scree_collidable collidable,
+                                                          scree_surface* surface, size_t size);
+static inline scree_status scree_collidable_get_surface(const scree_world* world, scree_collidable collidable,
+                                                        scree_surface* surface)
+{
+	return scree_collidable_get_surface_sized(world, collidable, surface, sizeof *surface);
 }
 
 SCREE_API void scree_collidable_def_default_sized(scree_collidable_def* def, size_t size);

@@ -13,6 +13,8 @@ const DefinitionType tuning_definition = {sizeof(scree_tuning), END_OF(scree_tun
                                           "scree_world_get_tuning"};
 const DefinitionType attribute_definition = {sizeof(scree_attribute_def), END_OF(scree_attribute_def, tangent_speed),
                                              "scree_attribute_def_default"};
+const DefinitionType surface_definition = {sizeof(scree_surface), END_OF(scree_surface, tangent_speed),
+                                           "scree_surface_default"};
 const DefinitionType body_definition = {sizeof(scree_body_def), END_OF(scree_body_def, user), "scree_body_def_default"};
 const DefinitionType collidable_definition = {sizeof(scree_collidable_def), END_OF(scree_collidable_def, user),
                                               "scree_collidable_def_default"};

@@ -13,6 +13,7 @@
 #include "world/objects/joints.h"
 #include "world/objects/kinematics.h"
 #include "world/objects/mass.h"
+#include "world/objects/own_shapes.h"
 #include "world/objects/sleep.h"
 #include "world/objects/targets.h"
 #include "world/record/api_calls.h"
@@ -39,7 +40,7 @@ bool scree_body_is_valid(const scree_world* world, scree_body body) { return wor
 
 static bool has_attribute(const scree_body_def* def) { return !scree_attribute_is_null(def->attribute); }
 
-static scree_status check_def(const scree_world* world, ArgumentPlace at, const scree_body_def* def)
+static scree_status check_def(const scree_world* world, ArgumentPlace at, const scree_body_def* def, bool shaped)
 {
 	int attribute = 0;
 	scree_pose pose = def->pose;
@@ -52,6 +53,9 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	TRY(check_reports(at, ".reports", def->reports));
 	TRY(check_sensor(at, ".sensor", def->sensor));
 	TRY(check_real(at, ".sleep_threshold", def->sleep_threshold, 0.0f, 1e6f));
+	if (shaped && has_attribute(def))
+		return refuse(SCREE_ERROR_INVALID, at, ".attribute", "is (%u, %u), must be null: the call has a shape",
+		              def->attribute.index, def->attribute.generation);
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
@@ -80,8 +84,9 @@ static void fetch_collidable(const scree_world* world, int collidable)
 	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
 }
 
-// Writes a body from a checked definition. index: slot of the body; slot: slot of its collidable, -1 for none.
-static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
+// Writes a body from a checked definition. index: slot of the body; slot, attribute: slots of its collidable and of the attribute
+// of that; both are -1 if there is no collidable.
+static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot, int attribute)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
 	bool asleep = def->asleep && moves && !def->disabled && !def->stays_awake && world->def.sleep;
@@ -102,15 +107,15 @@ static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def,
 	                   .waiting = host->waiting};
 	if (def->type == SCREE_BODY_KINEMATIC)
 		kinematic_put(world, index);
-	if (has_attribute(def))
+	if (slot >= 0)
 	{
-		HostCollidable made = {.body = index,
+		HostCollidable made = {.attribute = attribute,
+		                       .body = index,
 		                       .pose.rotation.c = 1.0f,
 		                       .filter = def->filter,
 		                       .reports = def->reports,
 		                       .sensor = def->sensor,
 		                       .user = def->user};
-		check_attribute(world, at, ".attribute", def->attribute, &made.attribute);
 		collidable_put(world, slot, &made);
 	}
 	host->mass = mass_of_body(world, index);
@@ -142,48 +147,89 @@ static scree_status reserve(scree_world* world, const char* function, int count,
 	return edits_reserve(world, function, count, collidables, 0);
 }
 
-static scree_status create(scree_world* world, const char* function, const char* argument, const scree_body_def* defs,
-                           int count, scree_body* bodies, bool alone)
+typedef struct // arguments of a call that creates bodies
 {
-	TRY(world_check(world, function));
-	TRY(check_batch(function, argument, defs, count));
+	const char* function;
+	const char *argument, *shape_argument; // names of the arguments
+	const scree_body_def* defs;
+	const scree_attribute_def* shapes; // null: bodies have the attributes of their definitions
+	int count;
+	scree_body* bodies; // may be null
+	bool alone;         // true: the arguments are not arrays
+} Creation;
+
+static bool has_collidable(const Creation* c, const scree_body_def* def) { return c->shapes || has_attribute(def); }
+
+static scree_status check_creation(const scree_world* world, const Creation* c, int* collidables, int* kinematics)
+{
+	scree_body_def local;
+	TRY(check_batch(c->function, c->argument, c->defs, c->count));
+	for (int k = 0; k < c->count; ++k)
+	{
+		ArgumentPlace at = {c->function, c->argument, c->alone ? ALONE : k};
+		TRY(check_definition(at, c->defs, k, &body_definition));
+		const scree_body_def* def = def_at(c->defs, k, &local);
+		TRY(check_def(world, at, def, c->shapes != NULL));
+		*collidables += has_collidable(c, def);
+		*kinematics += def->type == SCREE_BODY_KINEMATIC;
+	}
+	return c->shapes ? own_shapes_check(c->function, c->shape_argument, c->shapes, c->count, c->alone) : SCREE_OK;
+}
+
+// Finds the attributes of all collidables, or makes them.
+static scree_status make_attributes(scree_world* world, const Creation* c, int* attributes)
+{
+	if (c->shapes)
+		return own_shapes_make(world, c->function, c->shapes, c->count, attributes);
+	scree_body_def local;
+	for (int k = 0, next = 0; k < c->count; ++k)
+	{
+		const scree_body_def* def = def_at(c->defs, k, &local);
+		if (has_attribute(def))
+			attributes[next++] = (int)def->attribute.index;
+	}
+	return SCREE_OK;
+}
+
+static scree_status create(scree_world* world, Creation c)
+{
+	TRY(world_check(world, c.function));
 	scree_body_def local;
 	int collidables = 0, kinematics = 0;
-	for (int k = 0; k < count; ++k)
-	{
-		ArgumentPlace at = {function, argument, alone ? ALONE : k};
-		TRY(check_definition(at, defs, k, &body_definition));
-		const scree_body_def* def = def_at(defs, k, &local);
-		TRY(check_def(world, at, def));
-		collidables += has_attribute(def);
-		kinematics += def->type == SCREE_BODY_KINEMATIC;
-	}
-	TRY(reserve(world, function, count, kinematics, collidables));
-	int* slots = world_scratch(world, ((size_t)collidables + (size_t)count) * sizeof *slots);
+	TRY(check_creation(world, &c, &collidables, &kinematics));
+	TRY(reserve(world, c.function, c.count, kinematics, collidables));
+	int* slots = world_scratch(world, (2 * (size_t)collidables + (size_t)c.count) * sizeof *slots);
 	if (!slots)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d bodies and %d collidables", function, count,
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d bodies and %d collidables", c.function, c.count,
 		            collidables);
-	for (int k = 0, next = 0; k < count; ++k)
+	int *attributes = slots + collidables, *indices = attributes + collidables;
+	for (int k = 0, next = 0; k < c.count; ++k)
 	{
-		const scree_body_def* def = def_at(defs, k, &local);
-		if (has_attribute(def))
+		const scree_body_def* def = def_at(c.defs, k, &local);
+		if (has_collidable(&c, def))
 			slots[next++] = def->disabled ? KIND_DEAD : kind_of_type(def->type);
 	}
-	TRY(collidables_allocate(world, slots, collidables));
-	int* indices = slots + collidables;
-	for (int k = 0; k < count; ++k)
+	TRY(make_attributes(world, &c, attributes));
+	scree_status status = collidables_allocate(world, slots, collidables);
+	if (status != SCREE_OK && c.shapes)
+		own_shapes_settle(world, attributes, c.count);
+	TRY(status);
+	for (int k = 0; k < c.count; ++k)
 		indices[k] = slots_allocate(&world->bodies);
 
-	for (int k = 0, next = 0; k < count; ++k)
+	for (int k = 0, next = 0; k < c.count; ++k)
 	{
-		if (k + BODY_SOON < count)
+		if (k + BODY_SOON < c.count)
 			fetch_rows(world->host_bodies, indices[k + BODY_SOON], sizeof *world->host_bodies);
 		if (next + BODY_SOON < collidables)
 			fetch_collidable(world, slots[next + BODY_SOON]);
-		const scree_body_def* def = def_at(defs, k, &local);
-		put(world, (ArgumentPlace){function, argument, k}, def, indices[k], has_attribute(def) ? slots[next++] : -1);
-		if (bodies)
-			bodies[k] = body_handle(world, indices[k]);
+		const scree_body_def* def = def_at(c.defs, k, &local);
+		bool has = has_collidable(&c, def);
+		put(world, (ArgumentPlace){c.function, c.argument, k}, def, indices[k], has ? slots[next] : -1,
+		    has ? attributes[next] : -1);
+		next += has;
+		if (c.bodies)
+			c.bodies[k] = body_handle(world, indices[k]);
 	}
 	return SCREE_OK;
 }
@@ -191,13 +237,31 @@ static scree_status create(scree_world* world, const char* function, const char*
 scree_status api_bodies_create(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies)
 {
 	FLOAT_MODE_HERE;
-	return create(world, "scree_bodies_create", "defs", defs, count, bodies, false);
+	return create(world, (Creation){"scree_bodies_create", "defs", NULL, defs, NULL, count, bodies, false});
 }
 
 scree_status api_body_create(scree_world* world, const scree_body_def* def, scree_body* body)
 {
 	FLOAT_MODE_HERE;
-	return create(world, "scree_body_create", "def", def, 1, body, true);
+	return create(world, (Creation){"scree_body_create", "def", NULL, def, NULL, 1, body, true});
+}
+
+scree_status api_bodies_create_with_shapes(scree_world* world, const scree_body_def* defs,
+                                           const scree_attribute_def* shapes, int count, scree_body* bodies)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_bodies_create_with_shapes";
+	TRY(check_batch(function, "shapes", shapes, count));
+	return create(world, (Creation){function, "defs", "shapes", defs, shapes, count, bodies, false});
+}
+
+scree_status api_body_create_with_shape(scree_world* world, const scree_body_def* def, const scree_attribute_def* shape,
+                                        scree_body* body)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_body_create_with_shape";
+	TRY(check_pointer(function, "shape", shape));
+	return create(world, (Creation){function, "def", "shape", def, shape, 1, body, true});
 }
 
 static scree_status destroy(scree_world* world, const char* function, const char* argument, const scree_body* bodies,

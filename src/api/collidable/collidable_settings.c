@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// collidable_settings.c -- reads and sets attribute, pose, filter, reports, sensor bits and user word of a collidable.
+// collidable_settings.c -- reads and sets pose, filter, reports, sensor bits and user word of a collidable.
 #include "platform/processor.h"
-#include "step/tree_maintenance.h"
 #include "world/edits.h"
 #include "world/failure.h"
 #include "world/objects/collidables.h"
@@ -13,7 +12,6 @@
 #include "world/pool_values.h"
 #include "world/record/api_calls.h"
 #include "world/structure.h"
-#include <string.h>
 
 static scree_status lookup(const scree_world* world, const char* function, scree_collidable collidable,
                            const char* argument, const void* out, HostCollidable** host)
@@ -31,59 +29,6 @@ scree_status scree_collidable_get_body(const scree_world* world, scree_collidabl
 	HostCollidable* host;
 	TRY(lookup(world, "scree_collidable_get_body", collidable, "body", body, &host));
 	*body = owner_handle(world, (int)collidable.index - 1);
-	return SCREE_OK;
-}
-
-scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
-                                            scree_attribute* attribute)
-{
-	FLOAT_MODE_HERE;
-	HostCollidable* host;
-	TRY(lookup(world, "scree_collidable_get_attribute", collidable, "attribute", attribute, &host));
-	*attribute = attribute_handle(world, host->attribute);
-	return SCREE_OK;
-}
-
-// Marks the tree of a collidable for an update, because its box will change; no effect if its body is disabled.
-static scree_status mark_tree(scree_world* world, int index)
-{
-	int kind = collidable_kind(world, index);
-	return kind == KIND_DEAD ? SCREE_OK : tree_insert(&world->pipeline, tree_of_kind(kind), index);
-}
-
-scree_status api_collidable_set_attribute(scree_world* world, scree_collidable collidable, scree_attribute attribute)
-{
-	FLOAT_MODE_HERE;
-	const char* function = "scree_collidable_set_attribute";
-	TRY(world_check(world, function));
-	int index = 0, now = 0;
-	TRY(check_collidable(world, (ArgumentPlace){function, "collidable", ALONE}, collidable, &index));
-	TRY(check_attribute(world, (ArgumentPlace){function, "attribute", ALONE}, "", attribute, &now));
-	HostCollidable* host = world->host_collidables + index;
-	const scree_attribute_def *old = world->attributes + host->attribute, *def = world->attributes + now;
-	if (host->attribute == now)
-		return SCREE_OK;
-	TRY(edits_reserve(world, function, 0, 1, 2));
-	body_note_wake(world, host->body);
-	// the shapes of attributes are canonical: equal values have equal bytes
-	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
-	if (!same)
-		TRY(mark_tree(world, index));
-	--world->host_attributes[host->attribute].collidables;
-	++world->host_attributes[now].collidables;
-	host->attribute = now;
-	if (same)
-	{
-		edits_command(world, COMMAND_ATTRIBUTE, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), now);
-		world->pipeline.surfaces_changed = true;
-	}
-	else
-	{
-		host->born = world->pipeline.steps;
-		edits_collidable(world, index);
-	}
-	if ((!same || heavier) && host->body >= 0)
-		masses_update(world, &host->body, 1, false);
 	return SCREE_OK;
 }
 
@@ -135,7 +80,7 @@ scree_status api_collidable_set_filter(scree_world* world, scree_collidable coll
 	if (old.category == filter.category && old.mask == filter.mask && old.group == filter.group)
 		return SCREE_OK; // so that a call in each step keeps no body awake
 	TRY(edits_reserve(world, function, 0, 1, 1));
-	TRY(mark_tree(world, index));
+	TRY(collidable_mark_tree(world, index));
 	body_note_wake(world, world->host_collidables[index].body);
 	world->host_collidables[index].filter = filter;
 	edits_collidable(world, index);
@@ -216,7 +161,7 @@ scree_status api_collidable_set_sensor(scree_world* world, scree_collidable coll
 	if (host->sensor == sensor)
 		return SCREE_OK;
 	TRY(edits_reserve(world, function, 0, 1, 2));
-	TRY(mark_tree(world, index));
+	TRY(collidable_mark_tree(world, index));
 	sensors_note(world, host->sensor, sensor);
 	body_note_wake(world, host->body);
 	host->sensor = sensor;

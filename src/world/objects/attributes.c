@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// attributes.c -- keeps the table of attributes, in which equal values share a slot.
+// attributes.c -- keeps the table of attributes, in which equal values share a slot, and ends attributes.
 #include "world/objects/attributes.h"
 #include "platform/error.h"
 #include "world/memory.h"
@@ -24,17 +24,28 @@ static uint32_t name_of(const scree_attribute_def* def)
 	return hash ? hash : 1;
 }
 
-// Returns the entry of an attribute in the table, or the empty entry to use for it. name: hash of its values.
-static int* find(const scree_world* world, uint32_t name, const scree_attribute_def* def)
+// Returns the entry of an attribute in the table, or the empty entry to use for it. name: hash of its values. owned: the
+// attribute has no claim. Attributes with and without claims never share a slot, so that neither keeps the other alive.
+static int* find(const scree_world* world, uint32_t name, const scree_attribute_def* def, bool owned)
 {
 	uint32_t mask = (uint32_t)world->attribute_table_size - 1;
 	for (uint32_t i = name & mask;; i = (i + 1) & mask)
 	{
 		int* entry = world->attribute_table + i;
-		if (*entry == 0 || (world->host_attributes[*entry - 1].name == name &&
-		                    memcmp(world->attributes + *entry - 1, def, sizeof *def) == 0))
+		if (*entry == 0)
+			return entry;
+		const HostAttribute* host = world->host_attributes + *entry - 1;
+		if (host->name == name && (host->claims == 0) == owned &&
+		    memcmp(world->attributes + *entry - 1, def, sizeof *def) == 0)
 			return entry;
 	}
+}
+
+// Returns the entry of an existing attribute, or the empty entry to use for it.
+static int* entry_of(const scree_world* world, int index)
+{
+	const HostAttribute* host = world->host_attributes + index;
+	return find(world, host->name, world->attributes + index, host->claims == 0);
 }
 
 // Removes an entry from the table. Moves later entries into the gap if needed: a search ends at the first empty entry.
@@ -64,7 +75,7 @@ static scree_status table_make(scree_world* world, const char* function, int siz
 	world->attribute_table_size = size;
 	for (int k = 0; k < world->attribute_slots.used; ++k)
 		if (slots_in_use(&world->attribute_slots, k))
-			*find(world, world->host_attributes[k].name, world->attributes + k) = k + 1;
+			*entry_of(world, k) = k + 1;
 	return SCREE_OK;
 }
 
@@ -124,27 +135,60 @@ static int make(scree_world* world, uint32_t name, const scree_attribute_def* pl
 	return index;
 }
 
-scree_status attribute_claim(scree_world* world, const char* function, const scree_attribute_def* def, int* index)
+// Finds the attribute with the values of `def`, or makes one with `claims` claims, 0 or 1.
+static scree_status find_or_make(scree_world* world, const char* function, const scree_attribute_def* def, int claims,
+                                 int* index)
 {
 	TRY(reserve(world, function));
 	uint32_t name = name_of(def);
-	int* entry = find(world, name, def);
+	int* entry = find(world, name, def, claims == 0);
 	if (*entry == 0)
 		*entry = make(world, name, def) + 1;
 	*index = *entry - 1;
-	++world->host_attributes[*index].claims;
+	world->host_attributes[*index].claims += claims;
 	structure_changed(world);
 	return SCREE_OK;
+}
+
+scree_status attribute_claim(scree_world* world, const char* function, const scree_attribute_def* def, int* index)
+{
+	return find_or_make(world, function, def, 1, index);
+}
+
+scree_status attribute_own(scree_world* world, const char* function, const scree_attribute_def* def, int* index)
+{
+	return find_or_make(world, function, def, 0, index);
+}
+
+static void end(scree_world* world, int index)
+{
+	forget(world, entry_of(world, index));
+	slots_free(&world->attribute_slots, index);
+	structure_changed(world);
 }
 
 void attribute_disclaim(scree_world* world, int index)
 {
 	HostAttribute* host = world->host_attributes + index;
 	structure_changed(world);
-	if (--host->claims > 0)
-		return;
-	forget(world, find(world, host->name, world->attributes + index));
-	slots_free(&world->attribute_slots, index);
+	if (host->claims == 1)
+		end(world, index);
+	--host->claims;
+}
+
+void attribute_attach(scree_world* world, int index) { ++world->host_attributes[index].collidables; }
+
+void attribute_detach(scree_world* world, int index)
+{
+	--world->host_attributes[index].collidables;
+	attribute_settle(world, index);
+}
+
+void attribute_settle(scree_world* world, int index)
+{
+	const HostAttribute* host = world->host_attributes + index;
+	if (host->claims == 0 && host->collidables == 0 && slots_in_use(&world->attribute_slots, index))
+		end(world, index);
 }
 
 void attribute_item(const scree_world* world, int index, Attribute* item)

@@ -5,6 +5,7 @@
 #include "step/tree_maintenance.h"
 #include "world/edits.h"
 #include "world/memory.h"
+#include "world/objects/attributes.h"
 #include "world/objects/reports.h"
 #include "world/objects/sensors.h"
 
@@ -65,6 +66,12 @@ scree_status collidables_allocate(scree_world* world, int* slots, int count)
 	return SCREE_OK;
 }
 
+scree_status collidable_mark_tree(scree_world* world, int index)
+{
+	int kind = collidable_kind(world, index);
+	return kind == KIND_DEAD ? SCREE_OK : tree_insert(&world->pipeline, tree_of_kind(kind), index);
+}
+
 // Records a changed link from the collidable `previous` to the next one in its list, unless the whole row of `previous`
 // is pending. Does nothing if `previous` is -1.
 static void list_changed(scree_world* world, int previous)
@@ -81,7 +88,7 @@ void collidable_put(scree_world* world, int index, const HostCollidable* made)
 	PendingEdits waiting = host->waiting;
 	*host = *made;
 	host->waiting = waiting;
-	++world->host_attributes[host->attribute].collidables;
+	attribute_attach(world, host->attribute);
 	world->reports.reporters += host->reports != 0;
 	reports_note(world, host->reports);
 	sensors_note(world, 0, host->sensor);
@@ -125,7 +132,7 @@ void collidable_remove(scree_world* world, int index)
 	int kind = collidable_kind(world, index);
 	if (kind != KIND_DEAD)
 		tree_leave(&world->pipeline, tree_of_kind(kind), index);
-	--world->host_attributes[host->attribute].collidables;
+	attribute_detach(world, host->attribute);
 	slots_free(&world->collidables, index);
 	edits_collidable(world, index);
 }

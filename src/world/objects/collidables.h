@@ -15,6 +15,9 @@ scree_status collidables_allocate(scree_world* world, int* slots, int count);
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
 
+// Marks the tree of a collidable for an update, because its box will change; no effect if its body is disabled.
+scree_status collidable_mark_tree(scree_world* world, int index);
+
 int collidable_kind(const scree_world* world, int index); // kind; KIND_DEAD if destroyed, or if its body is disabled
 int device_kind(const scree_world* world, int index);     // kind as stored on the device, with KIND_SENSOR for a sensor
 int kind_on_body(const scree_world* world, int body);     // kind of a collidable on a body; body: -1 for no body

@@ -95,7 +95,8 @@ static scree_status check_each_collidable(const ChunkIndex* index, const scree_w
 		if (!slots_in_use(&world->attribute_slots, k))
 			continue;
 		CHECK_ITEM(world->attributes[k].shape.count > 0, "attribute", k);
-		CHECK_ITEM(host->collidables == users[k] && host->claims > 0, "attribute", k);
+		CHECK_ITEM(host->collidables == users[k] && host->claims >= 0, "attribute", k);
+		CHECK_ITEM(host->claims > 0 || host->collidables > 0, "attribute", k);
 	}
 	return SCREE_OK;
 }
