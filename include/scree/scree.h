@@ -78,7 +78,15 @@ extern "C" {
 // Errors, hooks and version
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef enum scree_status
+// If SCREE_CHECKED is defined before this header is included, C++17 and C23 compilers warn of each status that a program
+// ignores.
+#if defined(SCREE_CHECKED) && (__cplusplus >= 201703L || __STDC_VERSION__ >= 202000L)
+#define SCREE_CHECKED_STATUS [[nodiscard]]
+#else
+#define SCREE_CHECKED_STATUS
+#endif
+
+typedef enum SCREE_CHECKED_STATUS scree_status
 {
 	SCREE_OK = 0,
 	SCREE_ERROR_INVALID = 1,       // an argument is out of range; nothing changed
@@ -122,6 +130,20 @@ typedef struct scree_hooks
 // Installs a copy of hooks; null restores the defaults. Fails with SCREE_ERROR_INVALID while a world exists, or if only
 // one of allocate and release is set.
 SCREE_API scree_status scree_hooks_set(const scree_hooks* hooks);
+
+// Function that is called for each failed call: name of the function, its status, and its sentence, which is valid until
+// the hook returns. context: as given to scree_fail_hook_set.
+typedef void (*scree_fail_hook)(const char* function, scree_status status, const char* sentence, void* context);
+
+// Sets the process-wide hook for failed calls; null (default): none. A program whose hook ends the program needs no other
+// check. Not while another thread is in a call of the library.
+//
+// The hook is called on the thread of the call, after the call has done everything else, once for each call of the program
+// that returns another status than SCREE_OK, also for those within static inline functions. Calls that Scree makes itself, and
+// failures from which it recovers, are not reported. The hook may call any function, also destroy the world of the failed
+// call; failed calls within it are not reported. It must return or end the program: it must neither throw nor call
+// longjmp. The call then returns its status, and scree_error() its sentence. Builds for WebAssembly have no hook.
+SCREE_API void scree_fail_hook_set(scree_fail_hook hook, void* context);
 
 // Returns the host memory that the library currently uses, in bytes.
 SCREE_API size_t scree_memory(void);

@@ -2,6 +2,7 @@
 // error.c -- implements the last error message, the log, memory and assertions, through the hooks of the process.
 #define _GNU_SOURCE // declares madvise; ignored on other systems
 #include "platform/error.h"
+#include "platform/fail_hook.h"
 #include "platform/processor.h"
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -143,7 +144,7 @@ void log_sentence(scree_log_level level, const char* format, ...)
 	hooks.log(level, text, hooks.context);
 }
 
-scree_status scree_hooks_set(const scree_hooks* new_hooks)
+static scree_status set_hooks(const scree_hooks* new_hooks)
 {
 	if (atomic_load(&worlds) > 0)
 		return fail(SCREE_ERROR_INVALID, "hooks cannot change while %d world(s) exist", atomic_load(&worlds));
@@ -159,7 +160,12 @@ scree_status scree_hooks_set(const scree_hooks* new_hooks)
 	return SCREE_OK;
 }
 
-size_t scree_memory(void) { return atomic_load(&memory_in_use); }
+scree_status scree_hooks_set(const scree_hooks* new_hooks){REPORTED("scree_hooks_set", set_hooks(new_hooks))}
+
+size_t scree_memory(void)
+{
+	return atomic_load(&memory_in_use);
+}
 
 // Header before every block. It stores the function that releases the block, because the hooks may change later.
 typedef struct

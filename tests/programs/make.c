@@ -120,7 +120,7 @@ static void put_any(Maker* m)
 	else if (k < 58)
 		put_setting(m);
 	else if (k < 69)
-		put_collidable(m);
+		chance(m, 0.3) ? put_own(m) : put_collidable(m);
 	else if (k < 77)
 		put_destroy(m);
 	else if (k < 86)

@@ -124,7 +124,8 @@ static inline void put(Maker* m, Call call)
 static inline float any_body(Maker* m) { return (float)below(m, m->bodies + 1); }
 
 // defined in make_attribute.c
-float any_attribute(Maker* m); // returns a number for an attribute; sometimes no attribute has this number
+float any_attribute(Maker* m);          // returns a number for an attribute; sometimes no attribute has this number
+void set_surface(Maker* m, Call* call); // sets the arguments of SURFACE
 void put_attribute(Maker* m);
 void put_like(Maker* m);
 void put_drop(Maker* m);
@@ -136,6 +137,7 @@ void set_reports(Maker* m, Call* call);
 void set_sensor(Maker* m, Call* call);
 void set_place(Maker* m, Call* call);
 void put_collidable(Maker* m);
+void put_own(Maker* m); // make_own.c
 
 // defined in make_body.c
 void put_body(Maker* m);

@@ -2,7 +2,7 @@
 // make_attribute.c -- makes calls of attributes and materials for random programs.
 #include "programs/make.h"
 
-static void set_surface(Maker* m, Call* call)
+void set_surface(Maker* m, Call* call)
 {
 	call_set(call, "density",
 	         chance(m, 0.3) ? PICK(m, 0.0f, 1e-6f, 0.01f, 100.0f, 1e6f, 1e9f) : between(m, 0.1f, 3.0f));

@@ -63,16 +63,10 @@ scree_status run_attribute(const CallRun* r)
 {
 	if (r->call->kind == CALL_drop)
 		return scree_attribute_destroy(r->world, call_attribute(r, "attribute"));
-	scree_attribute_def def = scree_attribute_def_default();
+	scree_shape shape = {0};
 	scree_attribute made = {0, 0};
-	scree_status status = make_shape(r, &def.shape);
-	def.density = call_real(r, "density");
-	def.friction = call_real(r, "friction");
-	def.restitution = call_real(r, "restitution");
-	def.rolling_resistance = call_real(r, "rolling");
-	def.tangent_speed = call_real(r, "tangent");
-	def.one_way = call_vec(r, "way_x", "way_y");
-	def.material = call_whole(r, "material");
+	scree_status status = make_shape(r, &shape);
+	scree_attribute_def def = call_surface(r, shape);
 	if (status == SCREE_OK)
 		status = scree_attribute_create(r->world, &def, &made);
 	int k = call_whole(r, "attribute");

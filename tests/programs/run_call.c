@@ -290,6 +290,11 @@ scree_status run_call(const CallRun* r)
 	case CALL_dress:
 	case CALL_place:
 		return run_collidable(r);
+	case CALL_own_bodies:
+	case CALL_own_collidable:
+	case CALL_surface:
+	case CALL_adopt:
+		return run_own(r);
 	case CALL_material:
 		return run_material(r);
 	case CALL_exclude:

@@ -66,6 +66,10 @@ scree_status run_attribute(const CallRun* run);
 scree_status run_body(const CallRun* run);
 scree_status run_collidable(const CallRun* run);
 
+// run_own.c: makes calls of own shapes and surfaces. call_surface returns a definition with a shape and the arguments of SURFACE.
+scree_status run_own(const CallRun* run);
+scree_attribute_def call_surface(const CallRun* run, scree_shape shape);
+
 // run_joint.c: makes calls of joints. read_joints mixes the state of all joints into a word.
 scree_status run_joint(const CallRun* run);
 scree_status read_joints(const CallRun* run, uint64_t* word);

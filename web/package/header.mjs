@@ -46,7 +46,7 @@ export function parse(text) {
 		const code = block.text.replace(/\/\/[^\n]*/g, "");
 		const trailing = [...block.text.matchAll(/\/\/ ?([^\n]*)/g)].map((m) => m[1]).join(" ");
 		let match;
-		if ((match = /^(?:typedef )?enum\s*(\w*)/.exec(code))) {
+		if ((match = /^(?:typedef )?enum\s*(?:SCREE_\w+\s+)?(\w*)/.exec(code))) {
 			const members = {};
 			let next = 0;
 			for (const [, name, value] of code.slice(code.indexOf("{")).matchAll(/SCREE_(\w+)\s*(?:=\s*(\d+))?\s*[,}\n]/g)) {

@@ -335,7 +335,7 @@ scree_status api_body_destroy(scree_world* world, scree_body body)
 	return destroy(world, "scree_body_destroy", "body", &body, 1, true);
 }
 
-scree_status scree_world_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count)
+scree_status api_world_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_bodies";

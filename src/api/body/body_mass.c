@@ -13,7 +13,7 @@
 #define LEAST_INERTIA 1e-20f // kg m^2
 #define MOST_MASS     1e30f  // kg for masses, kg m^2 for inertias
 
-scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
+scree_status api_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_mass";

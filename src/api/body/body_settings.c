@@ -77,7 +77,7 @@ scree_status api_body_set_type(scree_world* world, scree_body body, scree_body_t
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_type(const scree_world* world, scree_body body, scree_body_type* type)
+scree_status api_body_get_type(const scree_world* world, scree_body body, scree_body_type* type)
 {
 	FLOAT_MODE_HERE;
 	HostBody* host;
@@ -103,7 +103,7 @@ scree_status api_body_set_damping(scree_world* world, scree_body body, float lin
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_damping(const scree_world* world, scree_body body, float* linear, float* angular)
+scree_status api_body_get_damping(const scree_world* world, scree_body body, float* linear, float* angular)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_damping";
@@ -129,7 +129,7 @@ scree_status api_body_set_gravity_scale(scree_world* world, scree_body body, flo
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body body, float* scale)
+scree_status api_body_get_gravity_scale(const scree_world* world, scree_body body, float* scale)
 {
 	FLOAT_MODE_HERE;
 	HostBody* host;
@@ -154,7 +154,7 @@ scree_status api_body_set_locks(scree_world* world, scree_body body, uint32_t lo
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks)
+scree_status api_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks)
 {
 	FLOAT_MODE_HERE;
 	HostBody* host;
@@ -257,7 +257,7 @@ scree_status api_body_set_user(scree_world* world, scree_body body, uint64_t use
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user)
+scree_status api_body_get_user(const scree_world* world, scree_body body, uint64_t* user)
 {
 	FLOAT_MODE_HERE;
 	HostBody* host;

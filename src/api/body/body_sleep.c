@@ -145,7 +145,7 @@ scree_status api_body_set_sleep_threshold(scree_world* world, scree_body body, f
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_sleep_threshold(const scree_world* world, scree_body body, float* threshold)
+scree_status api_body_get_sleep_threshold(const scree_world* world, scree_body body, float* threshold)
 {
 	FLOAT_MODE_HERE;
 	HostBody* host;
@@ -167,7 +167,7 @@ scree_status api_body_set_stays_awake(scree_world* world, scree_body body, bool 
 	return SCREE_OK;
 }
 
-scree_status scree_body_get_stays_awake(const scree_world* world, scree_body body, bool* stays_awake)
+scree_status api_body_get_stays_awake(const scree_world* world, scree_body body, bool* stays_awake)
 {
 	FLOAT_MODE_HERE;
 	HostBody* host;

@@ -31,8 +31,8 @@ scree_status api_attribute_create(scree_world* world, const scree_attribute_def*
 	return SCREE_OK;
 }
 
-scree_status scree_attribute_get_def_sized(const scree_world* world, scree_attribute attribute,
-                                           scree_attribute_def* def, size_t size)
+scree_status api_attribute_get_def_sized(const scree_world* world, scree_attribute attribute, scree_attribute_def* def,
+                                         size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_attribute_get_def";

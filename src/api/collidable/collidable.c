@@ -176,8 +176,8 @@ scree_status api_collidable_destroy(scree_world* world, scree_collidable collida
 	return destroy(world, "scree_collidable_destroy", "collidable", &collidable, 1, true);
 }
 
-scree_status scree_body_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables,
-                                        int capacity, int* count)
+scree_status api_body_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables,
+                                      int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_collidables";

@@ -23,7 +23,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 	return check_pointer(function, argument, out);
 }
 
-scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable, scree_body* body)
+scree_status api_collidable_get_body(const scree_world* world, scree_collidable collidable, scree_body* body)
 {
 	FLOAT_MODE_HERE;
 	HostCollidable* host;
@@ -32,7 +32,7 @@ scree_status scree_collidable_get_body(const scree_world* world, scree_collidabl
 	return SCREE_OK;
 }
 
-scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable, scree_pose* pose)
+scree_status api_collidable_get_local_pose(const scree_world* world, scree_collidable collidable, scree_pose* pose)
 {
 	FLOAT_MODE_HERE;
 	HostCollidable* host;
@@ -41,7 +41,7 @@ scree_status scree_collidable_get_local_pose(const scree_world* world, scree_col
 	return SCREE_OK;
 }
 
-scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable, scree_filter* filter)
+scree_status api_collidable_get_filter(const scree_world* world, scree_collidable collidable, scree_filter* filter)
 {
 	FLOAT_MODE_HERE;
 	HostCollidable* host;
@@ -50,7 +50,7 @@ scree_status scree_collidable_get_filter(const scree_world* world, scree_collida
 	return SCREE_OK;
 }
 
-scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user)
+scree_status api_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user)
 {
 	FLOAT_MODE_HERE;
 	HostCollidable* host;
@@ -87,7 +87,7 @@ scree_status api_collidable_set_filter(scree_world* world, scree_collidable coll
 	return SCREE_OK;
 }
 
-scree_status scree_collidable_get_reports(const scree_world* world, scree_collidable collidable, uint32_t* reports)
+scree_status api_collidable_get_reports(const scree_world* world, scree_collidable collidable, uint32_t* reports)
 {
 	FLOAT_MODE_HERE;
 	HostCollidable* host;
@@ -140,7 +140,7 @@ scree_status api_collidables_set_reports(scree_world* world, const scree_collida
 	return set_reports(world, function, "collidables", collidables, reports, count, false);
 }
 
-scree_status scree_collidable_get_sensor(const scree_world* world, scree_collidable collidable, uint32_t* sensor)
+scree_status api_collidable_get_sensor(const scree_world* world, scree_collidable collidable, uint32_t* sensor)
 {
 	FLOAT_MODE_HERE;
 	HostCollidable* host;

@@ -63,8 +63,8 @@ scree_status api_world_set_material_pair(scree_world* world, int material_a, int
 	return material_set(world, function, material_a, material_b, row);
 }
 
-scree_status scree_world_get_material_pair_sized(const scree_world* world, int material_a, int material_b,
-                                                 scree_material_pair* pair, size_t size)
+scree_status api_world_get_material_pair_sized(const scree_world* world, int material_a, int material_b,
+                                               scree_material_pair* pair, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_material_pair";

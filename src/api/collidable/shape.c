@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shape.c -- creates and transforms shapes.
 #include "platform/processor.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/shape/hull.h"
 #include <string.h>
@@ -14,7 +15,7 @@ static scree_status check_ends(const char* function, scree_vec a, scree_vec b)
 	return SCREE_OK;
 }
 
-scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape)
+scree_status api_shape_make_box(float half_width, float half_height, scree_shape* shape)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_box";
@@ -29,7 +30,7 @@ scree_status scree_shape_make_box(float half_width, float half_height, scree_sha
 	return SCREE_OK;
 }
 
-scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape)
+scree_status api_shape_make_circle(scree_vec center, float radius, scree_shape* shape)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_circle";
@@ -41,7 +42,7 @@ scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape
 	return SCREE_OK;
 }
 
-scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape)
+scree_status api_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_capsule";
@@ -55,7 +56,7 @@ scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, sc
 	return SCREE_OK;
 }
 
-scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape)
+scree_status api_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_segment";
@@ -87,7 +88,7 @@ static scree_status check_polygon(const char* function, const char* argument, co
 	return check_points(function, argument, points, count);
 }
 
-scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape)
+scree_status api_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_polygon";
@@ -97,7 +98,7 @@ scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float
 	return SCREE_OK;
 }
 
-scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape)
+scree_status api_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_make_hull";
@@ -116,7 +117,7 @@ scree_status scree_shape_make_hull(const scree_vec* points, int count, float rad
 	return SCREE_OK;
 }
 
-scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* transformed)
+scree_status api_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* transformed)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_transform";

@@ -30,8 +30,8 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 	return check_pointer(function, argument, out);
 }
 
-scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
-                                            scree_attribute* attribute)
+scree_status api_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
+                                          scree_attribute* attribute)
 {
 	FLOAT_MODE_HERE;
 	int index = 0;
@@ -40,8 +40,8 @@ scree_status scree_collidable_get_attribute(const scree_world* world, scree_coll
 	return SCREE_OK;
 }
 
-scree_status scree_collidable_get_surface_sized(const scree_world* world, scree_collidable collidable,
-                                                scree_surface* surface, size_t size)
+scree_status api_collidable_get_surface_sized(const scree_world* world, scree_collidable collidable,
+                                              scree_surface* surface, size_t size)
 {
 	FLOAT_MODE_HERE;
 	int index = 0;

@@ -131,7 +131,7 @@ scree_status api_field_set_def(scree_world* world, scree_field field, const scre
 	return field_wake(world, index);
 }
 
-scree_status scree_field_get_def_sized(const scree_world* world, scree_field field, scree_field_def* def, size_t size)
+scree_status api_field_get_def_sized(const scree_world* world, scree_field field, scree_field_def* def, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_field_get_def";
@@ -169,7 +169,7 @@ scree_status api_field_set_enabled(scree_world* world, scree_field field, bool e
 	return field_wake(world, index);
 }
 
-scree_status scree_world_get_fields(const scree_world* world, scree_field* fields, int capacity, int* count)
+scree_status api_world_get_fields(const scree_world* world, scree_field* fields, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_fields";

@@ -135,7 +135,7 @@ static int list(const scree_world* world, int body, scree_joint* joints, int cap
 	return listed;
 }
 
-scree_status scree_world_get_joints(const scree_world* world, scree_joint* joints, int capacity, int* count)
+scree_status api_world_get_joints(const scree_world* world, scree_joint* joints, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_joints";
@@ -151,8 +151,8 @@ static int compare_joints(const void* a, const void* b)
 	return first < second ? -1 : first > second;
 }
 
-scree_status scree_body_get_joints(const scree_world* world, scree_body body, scree_joint* joints, int capacity,
-                                   int* count)
+scree_status api_body_get_joints(const scree_world* world, scree_body body, scree_joint* joints, int capacity,
+                                 int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_body_get_joints";

@@ -116,8 +116,8 @@ scree_status api_joint_set_coordinate(scree_world* world, scree_joint joint, scr
 	return change_all(&change, value, set_coordinate);
 }
 
-scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint joint, scree_coordinate which,
-                                        scree_joint_coordinate* value)
+scree_status api_joint_get_coordinate(const scree_world* world, scree_joint joint, scree_coordinate which,
+                                      scree_joint_coordinate* value)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_get_coordinate";

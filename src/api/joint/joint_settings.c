@@ -128,7 +128,7 @@ scree_status api_joint_set_user(scree_world* world, scree_joint joint, uint64_t 
 	return SCREE_OK;
 }
 
-scree_status scree_joint_get_def_sized(const scree_world* world, scree_joint joint, scree_joint_def* def, size_t size)
+scree_status api_joint_get_def_sized(const scree_world* world, scree_joint joint, scree_joint_def* def, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_joint_get_def";

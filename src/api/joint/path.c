@@ -96,7 +96,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 	return check_path(world, (ArgumentPlace){function, "path", ALONE}, "", path, index);
 }
 
-scree_status scree_path_get_length(const scree_world* world, scree_path path, float* length)
+scree_status api_path_get_length(const scree_world* world, scree_path path, float* length)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_length";
@@ -107,7 +107,7 @@ scree_status scree_path_get_length(const scree_world* world, scree_path path, fl
 	return SCREE_OK;
 }
 
-scree_status scree_path_get_pose(const scree_world* world, scree_path path, float along, scree_pose* pose)
+scree_status api_path_get_pose(const scree_world* world, scree_path path, float along, scree_pose* pose)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_pose";
@@ -119,7 +119,7 @@ scree_status scree_path_get_pose(const scree_world* world, scree_path path, floa
 	return SCREE_OK;
 }
 
-scree_status scree_path_get_nearest(const scree_world* world, scree_path path, scree_vec point, float* along)
+scree_status api_path_get_nearest(const scree_world* world, scree_path path, scree_vec point, float* along)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_nearest";
@@ -135,8 +135,7 @@ scree_status scree_path_get_nearest(const scree_world* world, scree_path path, s
 	return SCREE_OK;
 }
 
-scree_status scree_path_get_points(const scree_world* world, scree_path path, scree_vec* points, int capacity,
-                                   int* count)
+scree_status api_path_get_points(const scree_world* world, scree_path path, scree_vec* points, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_points";
@@ -150,7 +149,7 @@ scree_status scree_path_get_points(const scree_world* world, scree_path path, sc
 	return SCREE_OK;
 }
 
-scree_status scree_path_get_user(const scree_world* world, scree_path path, uint64_t* user)
+scree_status api_path_get_user(const scree_world* world, scree_path path, uint64_t* user)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_path_get_user";
@@ -173,7 +172,7 @@ scree_status api_path_set_user(scree_world* world, scree_path path, uint64_t use
 	return SCREE_OK;
 }
 
-scree_status scree_world_get_paths(const scree_world* world, scree_path* paths, int capacity, int* count)
+scree_status api_world_get_paths(const scree_world* world, scree_path* paths, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_paths";

@@ -3,6 +3,7 @@
 #include "api/query/query_check.h"
 #include "platform/processor.h"
 #include "stages/geometry/convex_sum.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 
 #define IMPACT_DISTANCE (0.05f * LINEAR_SLOP) // m: shapes at this distance, or closer, have met
@@ -55,8 +56,8 @@ static scree_distance measure(const Pair* pair)
 	                        .distance = n.separation};
 }
 
-scree_status scree_shapes_get_distance(const scree_shape* a, scree_pose pose_a, const scree_shape* b, scree_pose pose_b,
-                                       scree_distance* distance)
+scree_status api_shapes_get_distance(const scree_shape* a, scree_pose pose_a, const scree_shape* b, scree_pose pose_b,
+                                     scree_distance* distance)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shapes_get_distance";
@@ -99,16 +100,16 @@ static scree_status cast(const char* function, const char* names[4], const scree
 	return SCREE_OK;
 }
 
-scree_status scree_shapes_cast(const scree_shape* a, scree_pose pose_a, const scree_shape* b, scree_pose pose_b,
-                               scree_vec translation, scree_query_result* found)
+scree_status api_shapes_cast(const scree_shape* a, scree_pose pose_a, const scree_shape* b, scree_pose pose_b,
+                             scree_vec translation, scree_query_result* found)
 {
 	FLOAT_MODE_HERE;
 	const char* names[] = {"a", "pose_a", "b", "pose_b"};
 	return cast("scree_shapes_cast", names, a, pose_a, b, pose_b, translation, found);
 }
 
-scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin, scree_vec translation,
-                                  scree_query_result* found)
+scree_status api_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin, scree_vec translation,
+                                scree_query_result* found)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_cast_ray";
@@ -117,7 +118,7 @@ scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scr
 	return cast(function, names, shape, pose, NULL, (scree_pose){origin, {1.0f, 0.0f}}, translation, found);
 }
 
-scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scree_vec point, bool* contains)
+scree_status api_shape_contains(const scree_shape* shape, scree_pose pose, scree_vec point, bool* contains)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shape_contains";
@@ -186,8 +187,8 @@ static scree_query_result advance(Pair* pair, const Way* a, const Way* b)
 	    .hit = true, .inside = inside, .fraction = time, .point = d.point_a, .normal = d.normal};
 }
 
-scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose from_a, scree_pose to_a, const scree_shape* b,
-                                     scree_pose from_b, scree_pose to_b, scree_query_result* found)
+scree_status api_shapes_get_impact(const scree_shape* a, scree_pose from_a, scree_pose to_a, const scree_shape* b,
+                                   scree_pose from_b, scree_pose to_b, scree_query_result* found)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_shapes_get_impact";

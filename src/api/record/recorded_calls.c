@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // recorded_calls.c -- the public functions that change a world: each calls its api_ function, calls it again if the device failed
-// and the world goes on without it, and records the call if the world is recorded.
+// and the world goes on without it, records the call if the world is recorded, and reports a failure.
+#include "platform/fail_hook.h"
 #include "world/record/recorder.h"
 #include "world/recovery/recovery.h"
 #include "world/world.h"
@@ -9,18 +10,22 @@
 
 #define IS_WATCHED(world) (world && (world->recorders.first || world->recovery))
 
-#define WATCHED_CALL(name, enter, leave, ...)                                      \
-	scree_status scree_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__)) \
-	{                                                                              \
-		if (!IS_WATCHED(world))                                                    \
-			return api_##name(world, EACH(AS_NAME, __VA_ARGS__));                  \
-		const void* const addresses[] = {EACH(AS_ADDRESS, __VA_ARGS__)};           \
-		scree_status status;                                                       \
-		enter;                                                                     \
-		do                                                                         \
-			status = api_##name(world, EACH(AS_NAME, __VA_ARGS__));                \
-		while (world_recovers(world, "scree_" #name, status));                     \
-		return leave(world, RECORDED_##name, addresses, status);                   \
+#define WATCHED_CALL(name, enter, leave, ...)                                               \
+	static scree_status watched_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__)) \
+	{                                                                                       \
+		if (!IS_WATCHED(world))                                                             \
+			return api_##name(world, EACH(AS_NAME, __VA_ARGS__));                           \
+		const void* const addresses[] = {EACH(AS_ADDRESS, __VA_ARGS__)};                    \
+		scree_status status;                                                                \
+		enter;                                                                              \
+		do                                                                                  \
+			status = api_##name(world, EACH(AS_NAME, __VA_ARGS__));                         \
+		while (world_recovers(world, "scree_" #name, status));                              \
+		return leave(world, RECORDED_##name, addresses, status);                            \
+	}                                                                                       \
+	scree_status scree_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__))          \
+	{                                                                                       \
+		REPORTED("scree_" #name, watched_##name(world, EACH(AS_NAME, __VA_ARGS__)))         \
 	}
 #define CALL(name, ...) WATCHED_CALL(name, recorders_enter(world), recorders_leave, __VA_ARGS__)
 #define STEP_CALL(name, ...) \

@@ -3,6 +3,7 @@
 #include "platform/error.h"
 #include "platform/processor.h"
 #include "world/failure.h"
+#include "world/record/api_calls.h"
 #include "world/record/repeat.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -73,7 +74,7 @@ static scree_status read_all(const char* function, scree_replay* r, size_t size)
 	return SCREE_OK;
 }
 
-scree_status scree_replay_open(const void* bytes, size_t size, scree_replay** replay)
+scree_status api_replay_open(const void* bytes, size_t size, scree_replay** replay)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_replay_open";
@@ -101,7 +102,7 @@ void scree_replay_close(scree_replay* replay)
 	scree_release(replay);
 }
 
-scree_status scree_replay_get_info_sized(const scree_replay* replay, scree_replay_info* info, size_t size)
+scree_status api_replay_get_info_sized(const scree_replay* replay, scree_replay_info* info, size_t size)
 {
 	FLOAT_MODE_HERE;
 	TRY(check_pointer("scree_replay_get_info", "replay", replay));
@@ -123,7 +124,7 @@ static void begin_again(scree_replay* replay)
 	info->substeps = 0;
 }
 
-scree_status scree_replay_create_world(scree_replay* replay, const scree_world_def* def, scree_world** world)
+scree_status api_replay_create_world(scree_replay* replay, const scree_world_def* def, scree_world** world)
 {
 	FLOAT_MODE_HERE;
 	TRY(check_pointer("scree_replay_create_world", "world", world));
@@ -134,7 +135,7 @@ scree_status scree_replay_create_world(scree_replay* replay, const scree_world_d
 	return SCREE_OK;
 }
 
-scree_status scree_replay_restore(scree_replay* replay, scree_world* world)
+scree_status api_replay_restore(scree_replay* replay, scree_world* world)
 {
 	FLOAT_MODE_HERE;
 	TRY(check_pointer("scree_replay_restore", "replay", replay));
@@ -226,7 +227,7 @@ static scree_status replay_step(const char* function, scree_replay* r, scree_wor
 	return SCREE_OK;
 }
 
-scree_status scree_replay_step(scree_replay* replay, scree_world* world, bool* stepped)
+scree_status api_replay_step(scree_replay* replay, scree_world* world, bool* stepped)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_replay_step";

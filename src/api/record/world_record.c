@@ -3,6 +3,7 @@
 #include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
+#include "world/record/api_calls.h"
 #include "world/record/recorder.h"
 #include "world/world.h"
 
@@ -12,7 +13,7 @@ void scree_record_def_default_sized(scree_record_def* def, size_t size)
 	write_result(def, size, &made, sizeof made);
 }
 
-scree_status scree_world_record(scree_world* world, const scree_record_def* def)
+scree_status api_world_record(scree_world* world, const scree_record_def* def)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_record";
@@ -39,7 +40,7 @@ scree_status scree_world_record(scree_world* world, const scree_record_def* def)
 #endif
 }
 
-scree_status scree_world_end_recording(scree_world* world)
+scree_status api_world_end_recording(scree_world* world)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_end_recording";
@@ -49,7 +50,7 @@ scree_status scree_world_end_recording(scree_world* world)
 	return recorder_end(world, world->recorders.own, function, true);
 }
 
-scree_status scree_world_get_recording(const scree_world* world, const void** bytes, size_t* size)
+scree_status api_world_get_recording(const scree_world* world, const void** bytes, size_t* size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_recording";

@@ -13,7 +13,7 @@
 #include "world/world.h"
 #include <string.h>
 
-scree_status scree_devices_get_sized(scree_device* devices, size_t size, int capacity, int* count)
+scree_status api_devices_get_sized(scree_device* devices, size_t size, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_devices_get";
@@ -40,7 +40,7 @@ const char* scree_opencl_hint(void)
 	return opencl_devices(NULL, 0) > 0 ? "" : opencl_hint();
 }
 
-scree_status scree_device_test(const char* device)
+scree_status api_device_test(const char* device)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_device_test";

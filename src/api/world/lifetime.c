@@ -76,7 +76,7 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 	return SCREE_OK;
 }
 
-scree_status scree_world_create(const scree_world_def* def, scree_world** world)
+scree_status api_world_create(const scree_world_def* def, scree_world** world)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_create";
@@ -211,7 +211,7 @@ scree_status api_world_set_gravity(scree_world* world, scree_vec gravity)
 	return SCREE_OK;
 }
 
-scree_status scree_world_get_gravity(const scree_world* world, scree_vec* gravity)
+scree_status api_world_get_gravity(const scree_world* world, scree_vec* gravity)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_gravity";

@@ -9,7 +9,7 @@
 #include "world/world.h"
 #include <string.h>
 
-scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size)
+scree_status api_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_tuning";

@@ -41,7 +41,7 @@ scree_status api_world_discard(scree_world* world, int save)
 	return SCREE_OK;
 }
 
-scree_status scree_world_get_save_bytes(const scree_world* world, int save, uint64_t* bytes)
+scree_status api_world_get_save_bytes(const scree_world* world, int save, uint64_t* bytes)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_get_save_bytes";

@@ -31,7 +31,7 @@ scree_status api_world_restore(scree_world* world, const void* bytes, size_t siz
 	return snapshot_restore(world, function, bytes, size);
 }
 
-scree_status scree_world_create_from(const scree_world_def* def, const void* bytes, size_t size, scree_world** world)
+scree_status api_world_create_from(const scree_world_def* def, const void* bytes, size_t size, scree_world** world)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_world_create_from";
@@ -67,8 +67,8 @@ scree_status api_world_clone(scree_world* world, const scree_world_def* def, scr
 	return scree_world_create_from(def ? def : &same, bytes, size, clone);
 }
 
-scree_status scree_snapshots_compare_sized(const void* a, size_t size_a, const void* b, size_t size_b,
-                                           scree_difference* differences, size_t size, int capacity, int* count)
+scree_status api_snapshots_compare_sized(const void* a, size_t size_a, const void* b, size_t size_b,
+                                         scree_difference* differences, size_t size, int capacity, int* count)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_snapshots_compare";

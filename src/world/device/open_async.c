@@ -2,6 +2,7 @@
 // open_async.c -- opens a device on a separate thread.
 #include "world/device/open_async.h"
 #include "platform/error.h"
+#include "platform/fail_hook.h"
 #include "platform/processor.h"
 #include "platform/system.h"
 #include "world/device/devices.h"
@@ -32,6 +33,7 @@ static scree_status open_named(AsyncOpen* o)
 static THREAD_RESULT async_open_main(void* argument)
 {
 	AsyncOpen* o = argument;
+	fail_hook_enter(); // the hook is for calls of the user
 	o->status = open_named(o);
 	if (o->status != SCREE_OK)
 		snprintf(o->sentence, sizeof o->sentence, "%s", scree_error());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// api_calls.h -- declares the calls without recording and recovery: api_NAME does the work of scree_NAME.
+// api_calls.h -- declares the calls without recording, recovery and reports of failures: api_NAME does the work of scree_NAME.
 #ifndef API_CALLS_H
 #define API_CALLS_H
 #include "scree/scree.h"
 #include "world/record/arguments.h"
 
-// A build for WebAssembly has neither: its api_NAME is scree_NAME itself, which saves 0.3 kB of the npm package.
+// A build for WebAssembly has none of these: its api_NAME is scree_NAME itself, which saves 0.3 kB of the npm package.
 #ifdef SCREE_SMALL
 #define API_SYMBOL(name) __asm__("scree_" #name)
 #else
@@ -18,5 +18,8 @@
 #define READ(name, ...)  scree_status api_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__)) API_SYMBOL(name);
 #define READ_ALONE(name) scree_status api_##name(scree_world* world) API_SYMBOL(name);
 #include "world/record/reading_calls.def"
+
+#define PLAIN(name, ...) scree_status api_##name(EACH(AS_PARAMETER, __VA_ARGS__)) API_SYMBOL(name);
+#include "world/record/plain_calls.def"
 
 #endif
