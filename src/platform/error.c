@@ -147,9 +147,11 @@ void log_sentence(scree_log_level level, const char* format, ...)
 static scree_status set_hooks(const scree_hooks* new_hooks)
 {
 	if (atomic_load(&worlds) > 0)
-		return fail(SCREE_ERROR_INVALID, "hooks cannot change while %d world(s) exist", atomic_load(&worlds));
+		return fail(SCREE_ERROR_INVALID, "scree_hooks_set: hooks cannot change while %d world(s) exist",
+		            atomic_load(&worlds));
 	if (new_hooks && !new_hooks->allocate != !new_hooks->release)
-		return fail(SCREE_ERROR_INVALID, "hooks.allocate is %s but hooks.release is %s: give both or none",
+		return fail(SCREE_ERROR_INVALID,
+		            "scree_hooks_set: hooks.allocate is %s but hooks.release is %s: give both or none",
 		            new_hooks->allocate ? "set" : "null", new_hooks->release ? "set" : "null");
 	scree_hooks given = new_hooks ? *new_hooks : (scree_hooks){0};
 	hooks.allocate = given.allocate ? given.allocate : default_allocate;
