@@ -80,7 +80,7 @@ extern "C" {
 
 // If SCREE_CHECKED is defined before this header is included, C++17 and C23 compilers warn of each status that a program
 // ignores.
-#if defined(SCREE_CHECKED) && (__cplusplus >= 201703L || __STDC_VERSION__ >= 202000L)
+#if defined(SCREE_CHECKED) && ((defined(__cplusplus) && __cplusplus >= 201703L) || __STDC_VERSION__ >= 202000L)
 #define SCREE_CHECKED_STATUS [[nodiscard]]
 #else
 #define SCREE_CHECKED_STATUS

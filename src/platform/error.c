@@ -2,7 +2,6 @@
 // error.c -- implements the last error message, the log, memory and assertions, through the hooks of the process.
 #define _GNU_SOURCE // declares madvise; ignored on other systems
 #include "platform/error.h"
-#include "platform/fail_hook.h"
 #include "platform/processor.h"
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -144,7 +143,7 @@ void log_sentence(scree_log_level level, const char* format, ...)
 	hooks.log(level, text, hooks.context);
 }
 
-static scree_status set_hooks(const scree_hooks* new_hooks)
+scree_status hooks_set(const scree_hooks* new_hooks)
 {
 	if (atomic_load(&worlds) > 0)
 		return fail(SCREE_ERROR_INVALID, "scree_hooks_set: hooks cannot change while %d world(s) exist",

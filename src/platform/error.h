@@ -39,6 +39,9 @@ void* scree_allocate(size_t bytes);
 void* scree_reallocate(void* memory, size_t old_bytes, size_t bytes);
 void scree_release(void* memory); // memory may be null
 
+// Does the work of scree_hooks_set.
+scree_status hooks_set(const scree_hooks* new_hooks);
+
 void assert_failed(const char* expression, const char* file, int line);
 #define ASSERT(x) ((x) ? (void)0 : assert_failed(#x, __FILE__, __LINE__))
 

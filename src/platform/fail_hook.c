@@ -37,3 +37,5 @@ scree_status fail_hook_leave(const char* function, scree_status status)
 	return status;
 }
 #endif
+
+scree_status scree_hooks_set(const scree_hooks* hooks) { REPORTED("scree_hooks_set", hooks_set(hooks)) }

@@ -104,8 +104,8 @@ typedef struct
 
 typedef struct // host data of an attribute, beside its definition
 {
-	uint32_t name;   // a hash of its values, never 0
-	int claims;      // creations minus destructions by the user; 0: the attribute belongs to the collidables that use it
+	uint32_t name; // a hash of its values, never 0
+	int claims;    // creations minus destructions by the user; 0: the attribute belongs to the collidables that use it
 	int collidables; // number of collidables that use it
 	bool waiting;    // pending for the next upload
 } HostAttribute;

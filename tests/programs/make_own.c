@@ -15,7 +15,7 @@ static void put_own_bodies(Maker* m)
 	if (chance(m, 0.3))
 		call_set(&call, "vx", bounded(m, 4.0f));
 	call_set(&call, "disabled", chance(m, 0.05));
-	set_asleep(m, &call);
+	call_set(&call, "asleep", m->sleeps && chance(m, 0.2));
 	set_surface(m, &call);
 	m->bodies += count > 0 ? count : 1;
 	m->alive += count > 0 ? count : 1;

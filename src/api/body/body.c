@@ -84,8 +84,8 @@ static void fetch_collidable(const scree_world* world, int collidable)
 	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
 }
 
-// Writes a body from a checked definition. index: slot of the body; slot, attribute: slots of its collidable and of the attribute
-// of that; both are -1 if there is no collidable.
+// Writes a body from a checked definition. index: slot of the body; slot: slot of its collidable, -1 for none; attribute: slot of
+// the collidable's attribute.
 static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot, int attribute)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
