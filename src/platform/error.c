@@ -161,12 +161,7 @@ scree_status hooks_set(const scree_hooks* new_hooks)
 	return SCREE_OK;
 }
 
-scree_status scree_hooks_set(const scree_hooks* new_hooks){REPORTED("scree_hooks_set", set_hooks(new_hooks))}
-
-size_t scree_memory(void)
-{
-	return atomic_load(&memory_in_use);
-}
+size_t scree_memory(void) { return atomic_load(&memory_in_use); }
 
 // Header before every block. It stores the function that releases the block, because the hooks may change later.
 typedef struct

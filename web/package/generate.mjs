@@ -87,7 +87,7 @@ function result(f) {
 
 const described = functions.map((f) => ({...f, ...describe(f), kind: result(f)}));
 
-const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row|difference|record_def|replay_info|draw_def|collidable_state)$/.test(s.name));
+const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row|difference|record_def|replay_info|draw_def|collidable_state|surface)$/.test(s.name));
 const sizes = {contact_size: "contact", hit_size: "hit", visit_size: "visit", joint_size: "joint_event", body_size: "moved_body"};
 function member(struct, m) {
 	let type = code(m.type);
