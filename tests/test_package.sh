@@ -50,9 +50,9 @@ strangers=$(nm -D --defined-only "$libdir/libscree.so" | awk '{print $3}' | grep
 strangers=$(nm -g --defined-only "$libdir/libscree.a" | awk 'NF == 3 { print $3 }' | grep -v '^scree_' || true)
 [ -z "$strangers" ] || { echo "libscree.a has the global names" $strangers; exit 1; }
 
-# the header also compiles as C++
+# both headers also compile as C++
 if command -v c++ >/dev/null; then
-	echo '#include <scree/scree.h>' | c++ -x c++ -fsyntax-only -Wall -Wextra -Werror $(pkg-config --cflags scree) -
+	echo '#include <scree/scree_math.h>' | c++ -x c++ -fsyntax-only -Wall -Wextra -Werror $(pkg-config --cflags scree) -
 fi
 
 # the installed command line finds the installed scenes

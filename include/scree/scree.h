@@ -1067,7 +1067,7 @@ SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body bo
 //
 // An island wakes, in the first step after a call or in the step in which the rest happens, if:
 // - a call changes one of its bodies: a force, impulse or velocity other than 0, a pose, mass, type, damping, gravity
-//   scale, lock, collidable, attribute, filter, exclusion or joint; or the body is enabled or disabled;
+//   scale, lock, collidable, attribute, surface, filter, exclusion or joint; or the body is enabled or disabled;
 // - a body that is awake, or a kinematic body that moves, begins to touch it;
 // - a static or kinematic body that it touches, or to which it is joined, begins to move, or the user moves, changes or
 //   destroys it;
@@ -1076,7 +1076,7 @@ SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body bo
 // - gravity changes, or a call sets the tuning or a pair of materials: these wake all bodies.
 // Reading, queries and moves to another device wake nothing; nor does a new static body, even if it touches the island.
 // A setting that is set to the value that it has wakes nothing: damping, gravity scale, locks, type, enabling,
-// filter, attribute, all settings of joints, gravity, tuning, pairs of materials. So a program may set these in each step.
+// filter, attribute, surface, all settings of joints, gravity, tuning, pairs of materials. So a program may set these in each step.
 //
 // Contacts and joints of sleeping bodies keep their impulses and can be read. Queries and sensors find sleeping bodies
 // as others. Bodies that were created asleep begin to report their touches (scree_events) when they wake.
@@ -2321,6 +2321,7 @@ static inline scree_body_def scree_body_def_default(void)
 	return def;
 }
 
+// Creates a body with a shape for the four functions below, as scree_body_create_with_shape does.
 static inline scree_status scree_body_create_made(scree_world* world, scree_body_type type, scree_pose pose,
                                                   const scree_attribute_def* shape, uint64_t user, scree_body* body)
 {
