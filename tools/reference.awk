@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: MIT
-# reference.awk -- marks the comments of scree.h for Doxygen: those before a declaration, and those behind a member.
+# reference.awk -- marks the comments of scree.h and scree_math.h for Doxygen: those before a declaration, and those behind a member.
 #
-# The comment at the start of the file becomes the first page. A heading below a line of dashes begins a group. A
+# The comment at the start of scree.h becomes the first page. A heading below a line of dashes begins a group. A
 # comment holds for all functions that follow it without an empty line in between.
-NR == 1 { print "/// @mainpage"; begins = 1; next }
-begins && /^\/\// { sub(/^\/\/ ?(scree\.h -- )?/, "/// "); print; next }
-begins { begins = 0; print "/// @file"; print "/// The public interface." }
+NR == 1 {
+	main = FILENAME ~ /scree\.h$/
+	print main ? "/// @mainpage" : "/// @file"
+	begins = 1
+	next
+}
+begins && /^\/\// { sub(/^\/\/ ?([a-z_]*\.h -- )?/, "/// "); print; next }
+begins { begins = 0; if (main) print "/// @file\n/// The public interface." }
 /^\/\/ -----/ {
 	if (heading) next
 	if (groups) print "/// @}"
@@ -16,7 +21,7 @@ begins { begins = 0; print "/// @file"; print "/// The public interface." }
 heading && !/^\/\// { print "/// @{"; heading = 0 }
 heading && !titled {
 	sub(/^\/\/ /, "")
-	printf "/// @defgroup group%02d %s\n", ++groups, $0
+	printf "/// @defgroup %s%02d %s\n", main ? "group" : "math", ++groups, $0
 	titled = 1
 	next
 }
@@ -33,7 +38,7 @@ heading { sub(/^\/\/ ?/, "/// "); print; next }
 	if (trailed && /^\t[ \t]+\/\/ /) sub(/\/\/ /, "///< ") # goes on with the comment of the line above
 	else if (/^\t*\/\/ /) { sub(/\/\/ /, "/// "); trailed = 0 }
 	else trailed = sub(/ \/\/ /, " ///< ")
-	if (!fresh && comment != "" && /^(SCREE_API|static inline)/) print comment
+	if (!fresh && comment != "" && /^(SCREE_API|SCREE_MATH|static inline)/) print comment
 	fresh = 0
 	print
 }

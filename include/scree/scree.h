@@ -1076,7 +1076,8 @@ SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body bo
 // - gravity changes, or a call sets the tuning or a pair of materials: these wake all bodies.
 // Reading, queries and moves to another device wake nothing; nor does a new static body, even if it touches the island.
 // A setting that is set to the value that it has wakes nothing: damping, gravity scale, locks, type, enabling,
-// filter, attribute, surface, all settings of joints, gravity, tuning, pairs of materials. So a program may set these in each step.
+// filter, attribute, surface, all settings of joints, gravity, tuning, pairs of materials. So a program may set these in
+// each step.
 //
 // Contacts and joints of sleeping bodies keep their impulses and can be read. Queries and sensors find sleeping bodies
 // as others. Bodies that were created asleep begin to report their touches (scree_events) when they wake.
