@@ -18,8 +18,7 @@ typedef struct // a type of definition
 
 extern const DefinitionType world_definition, tuning_definition, attribute_definition, body_definition,
     collidable_definition, joint_definition, path_definition, query_definition, blast_definition, mover_definition,
-    material_definition, field_definition, record_definition, draw_definition,
-    surface_definition;
+    material_definition, field_definition, record_definition, draw_definition, surface_definition;
 
 // Checks definition k of a batch. Its size must be that of the first, and members added by later versions must be 0.
 scree_status check_definition(ArgumentPlace at, const void* defs, int k, const DefinitionType* type);
