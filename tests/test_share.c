@@ -301,6 +301,11 @@ static void check_shared(scree_world* world, const void* memory)
 		scree_render_row* rows = read_rows(world, &count);
 		assert_int_equal(shown, count);
 		assert_memory_equal(memory, rows, (size_t)count * sizeof *rows);
+		OK(scree_world_write_interpolated_rows(world, 0.3f, &shown));
+		assert_int_not_equal(memcmp(memory, rows, (size_t)count * sizeof *rows), 0);
+		OK(scree_world_get_interpolated_rows(world, 0.3f, rows, count, &count));
+		assert_int_equal(shown, count);
+		assert_memory_equal(memory, rows, (size_t)count * sizeof *rows);
 		assert_false(handed_over);
 		free(rows);
 	}
@@ -347,7 +352,7 @@ static void test_shared_memory(void** state)
 	add_crate(other, SCREE_BODY_DYNAMIC, 40.0f, 3.0f);
 	run_steps(other, 6);
 	assert_true(hash_of(world) == hash_of(other));
-	assert_int_equal(handovers, 2 * 7);
+	assert_int_equal(handovers, 2 * 13);
 	scree_world_destroy(world);
 	scree_world_destroy(other);
 	munmap(memory, small);

@@ -952,6 +952,19 @@ typedef struct scree_body_state
 SCREE_API scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scree_body_state* states,
                                               int capacity, int* count);
 
+// Writes the poses of up to capacity bodies' origins between the last two steps, for drawing, in ascending index order,
+// and their handles to bodies (may be null). Sets count to the number of bodies. alpha is the fraction of the last step,
+// 0 to 1, such as scree_clock.alpha: 0 gives the poses before the step, 1 exactly those that scree_world_get_states
+// returns. Between them a center of mass moves on a straight line, and a body turns about it at constant speed; after
+// half a turn or more in one step the angle between the two rotations counts.
+//
+// A body stands at its current pose if it is static, asleep, disabled, new, or if its pose was set since the last step:
+// a teleport is a jump. So do all bodies after scree_world_load, scree_world_restore, scree_world_create_from,
+// scree_world_clone and scree_world_move, until the next step. The last step is the last with dt > 0. The call changes
+// nothing, and gives the same bits on every device.
+SCREE_API scree_status scree_world_get_interpolated(scree_world* world, float alpha, scree_body* bodies,
+                                                    scree_pose* poses, int capacity, int* count);
+
 // The functions of one body below have the units, ranges and effects of the batch functions with the same names.
 
 // Adds a force in N at the center of mass, for the next step.
@@ -2199,6 +2212,81 @@ SCREE_API void scree_world_unshare(scree_world* world);
 // with a fence. If the rows do not fit, the function fails with SCREE_ERROR_INVALID but still sets count; share a
 // larger buffer then. It also fails with SCREE_ERROR_INVALID if nothing is shared.
 SCREE_API scree_status scree_world_write_render_rows(scree_world* world, int* count);
+
+// As scree_world_get_render_rows and scree_world_write_render_rows, with bodies at the poses of
+// scree_world_get_interpolated. alpha: fraction of the last step, 0 to 1; 1 gives the rows of the current state.
+// Collidables without a body stand.
+SCREE_API scree_status scree_world_get_interpolated_rows(scree_world* world, float alpha, scree_render_row* rows,
+                                                         int capacity, int* count);
+SCREE_API scree_status scree_world_write_interpolated_rows(scree_world* world, float alpha, int* count);
+
+// ---------------------------------------------------------------------------------------------------------------
+// Clock
+//
+// Divides the time of frames into steps of one length. No world refers to a clock, and no recording contains one.
+// docs/time.md describes slow motion, pause and long frames.
+//
+//     scree_clock clock = scree_clock_default(1.0f / 60.0f);
+//     // each frame; seconds: time since the last frame
+//     for (int left = scree_clock_advance(&clock, seconds); left > 0; --left)
+//         scree_world_step(world, clock.dt, 4);
+//     scree_world_get_interpolated(world, clock.alpha, bodies, poses, capacity, &count);
+
+typedef struct scree_clock
+{
+	float dt;           // s: length of a step, 1e-9 to 1, as that of scree_world_step
+	float time_scale;   // simulated time per time of frames: 1 for real time, 0.25 for slow motion; 0 stops the time
+	int32_t most_steps; // maximum number of steps of a frame, at least 1; the default is 8
+	bool paused;        // frames count as 0 s
+	float alpha;        // result: the part of a step that has passed since the last step, 0 to below 1
+	double rest;        // s: result: simulated time since the last step, from 0 to below dt
+	double dropped;     // s: result: simulated time that the last frame had above most_steps, and that is lost
+} scree_clock;
+
+// Returns a clock in real time, at the beginning of a step. dt: s.
+static inline scree_clock scree_clock_default(float dt)
+{
+	scree_clock clock = {dt, 1.0f, 8, false, 0.0f, 0.0, 0.0};
+	return clock;
+}
+
+// Advances a clock by the time of a frame, s, and returns the number of steps to take: 0 to most_steps. Sums are in
+// double, so that clock and frames do not drift apart. Whole steps above most_steps are dropped, and the part of a step
+// is kept. A time or scale that is negative or NaN counts as 0, an infinite one as a frame without end: most_steps
+// steps, alpha 0. A null clock, or a dt out of range, gives no steps.
+static inline int scree_clock_advance(scree_clock* clock, double seconds)
+{
+	if (!clock)
+		return 0;
+	clock->dropped = 0.0;
+	if (!(clock->dt >= 1e-9f && clock->dt <= 1.0f))
+		return 0;
+	int most = clock->most_steps > 1 ? clock->most_steps : 1;
+	double dt = (double)clock->dt;
+	if (!(clock->rest > 0.0))
+		clock->rest = 0.0;
+	if (!clock->paused && seconds > 0.0 && clock->time_scale > 0.0f)
+		clock->rest += seconds * (double)clock->time_scale;
+	double steps = clock->rest / dt;
+	if (!(steps < 9.0e15)) // the time has no part of a step left
+	{
+		clock->dropped = clock->rest - (double)most * dt;
+		clock->rest = 0.0;
+		clock->alpha = 0.0f;
+		return most;
+	}
+	int64_t whole = (int64_t)steps;
+	clock->rest -= (double)whole * dt;
+	// the quotient is rounded, so the rest may be slightly below 0
+	if (!(clock->rest > 0.0))
+		clock->rest = 0.0;
+	if (whole > most)
+		clock->dropped = (double)(whole - most) * dt;
+	clock->alpha = (float)(clock->rest / dt);
+	if (!(clock->alpha < 1.0f))
+		clock->alpha = 0.99999994f; // the largest float below 1
+	return whole > most ? most : (int)whole;
+}
 
 // ---------------------------------------------------------------------------------------------------------------
 // Debug draw (docs/debug_draw.md)

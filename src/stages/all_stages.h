@@ -52,6 +52,7 @@ SMALL_BEGIN
 #include "stages/read/query.h"
 #include "stages/read/sensor.h"
 #include "stages/read/moved_bodies.h"
+#include "stages/read/interpolate.h"
 #include "stages/read/joint_report.h"
 #include "stages/read/hash.h"
 #include "stages/save/saved_bodies.h"

@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "step/dispatch.h"
 #include "step/reserve.h"
+#include <string.h>
 
 scree_status pipeline_hash(Pipeline* pipeline, bool sleep, int bodies, int collidables, uint64_t* hash)
 {
@@ -24,10 +25,19 @@ scree_status pipeline_hash(Pipeline* pipeline, bool sleep, int bodies, int colli
 	return SCREE_OK;
 }
 
-scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared)
+scree_status pipeline_interpolate(Pipeline* pipeline, int bodies, float alpha)
 {
 	Backend* b = pipeline->backend;
-	Run run = {.kernel_id = KERNEL_render_row, .end = collidables, .count = NO_COUNT};
+	Step step = {0};
+	Run run = {.kernel_id = KERNEL_interpolate, .end = bodies, .count = NO_COUNT};
+	memcpy(&run.argument, &alpha, sizeof alpha);
+	return b->f->run(b, &step, &run, 1);
+}
+
+scree_status pipeline_render(Pipeline* pipeline, int collidables, bool interpolated, bool shared)
+{
+	Backend* b = pipeline->backend;
+	Run run = {.kernel_id = KERNEL_render_row, .end = collidables, .count = NO_COUNT, .argument = interpolated};
 	if (shared)
 		return b->f->render(b, &run);
 	TRY(pipeline_reserve(pipeline, PER_RENDER_ROW, run.end));

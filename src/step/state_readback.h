@@ -6,8 +6,12 @@
 
 scree_status pipeline_hash(Pipeline* pipeline, bool sleep, int bodies, int collidables, uint64_t* hash);
 
-// Updates the pool render_row or, if `shared` is set, the memory that OpenGL reads. collidables: number of slots.
-scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared);
+// Writes the poses of all bodies at a fraction of the last step (from 0 to 1) to the pool base.
+scree_status pipeline_interpolate(Pipeline* pipeline, int bodies, float alpha);
+
+// Updates the pool render_row or, if `shared` is set, the memory that OpenGL reads. collidables: number of slots;
+// interpolated: the bodies are at the poses of pipeline_interpolate.
+scree_status pipeline_render(Pipeline* pipeline, int collidables, bool interpolated, bool shared);
 
 // Updates the pool joint_state for `count` slots from `first` on. The user's changes must already be uploaded.
 scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count);

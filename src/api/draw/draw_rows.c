@@ -36,7 +36,7 @@ static scree_status read_shapes(scree_world* world, const char* function, DrawRo
 	int collidables = world->collidables.used, bodies = world->bodies.used;
 	if (collidables == 0)
 		return SCREE_OK;
-	TRY(world_note(world, pipeline_render(&world->pipeline, collidables, false)));
+	TRY(world_note(world, pipeline_render(&world->pipeline, collidables, false, false)));
 	TRY(read_pool(world, function, POOL_render_row, collidables, (void**)&rows->placed));
 	if (world->def.sleep)
 	{

@@ -35,21 +35,43 @@ scree_sharing scree_world_get_sharing(const scree_world* world)
 	return world ? world->backend->sharing : SCREE_SHARING_COPIED;
 }
 
-scree_status api_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity, int* count)
+// Writes the rows, with bodies at a fraction of the last step; the fraction 1 stands for the current state.
+static scree_status render(scree_world* world, float alpha, bool shared)
 {
-	FLOAT_MODE_HERE;
-	const char* function = "scree_world_get_render_rows";
+	bool interpolated = alpha < 1.0f;
+	if (interpolated)
+		TRY(world_note(world, pipeline_interpolate(&world->pipeline, world->bodies.used, alpha)));
+	return world_note(world, pipeline_render(&world->pipeline, world->collidables.used, interpolated, shared));
+}
+
+static scree_status get_rows(scree_world* world, const char* function, float alpha, scree_render_row* rows,
+                             int capacity, int* count)
+{
 	TRY(world_check(world, function));
+	TRY(check_real((ArgumentPlace){function, "alpha", ALONE}, "", alpha, 0.0f, 1.0f));
 	TRY(check_list(function, "rows", rows, capacity, count));
 	TRY(world_upload(world));
 	int used = world->collidables.used, wanted = used < capacity ? used : capacity;
 	if (wanted > 0)
 	{
-		TRY(world_note(world, pipeline_render(&world->pipeline, world->collidables.used, false)));
+		TRY(render(world, alpha, false));
 		TRY(world_note(world, world->backend->f->read(world->backend, POOL_render_row, 0, wanted, rows)));
 	}
 	*count = used;
 	return SCREE_OK;
+}
+
+scree_status api_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity, int* count)
+{
+	FLOAT_MODE_HERE;
+	return get_rows(world, "scree_world_get_render_rows", 1.0f, rows, capacity, count);
+}
+
+scree_status api_world_get_interpolated_rows(scree_world* world, float alpha, scree_render_row* rows, int capacity,
+                                             int* count)
+{
+	FLOAT_MODE_HERE;
+	return get_rows(world, "scree_world_get_interpolated_rows", alpha, rows, capacity, count);
 }
 
 scree_status api_world_share_memory(scree_world* world, int file_descriptor, size_t bytes)
@@ -78,11 +100,10 @@ void scree_world_unshare(scree_world* world)
 	world_recovers(world, "scree_world_unshare", world->broken);
 }
 
-scree_status api_world_write_render_rows(scree_world* world, int* count)
+static scree_status write_rows(scree_world* world, const char* function, float alpha, int* count)
 {
-	FLOAT_MODE_HERE;
-	const char* function = "scree_world_write_render_rows";
 	TRY(world_check(world, function));
+	TRY(check_real((ArgumentPlace){function, "alpha", ALONE}, "", alpha, 0.0f, 1.0f));
 	TRY(check_pointer(function, "count", count));
 	if (world->shared[SHARED_ROWS] == 0)
 		return fail(SCREE_ERROR_INVALID,
@@ -94,5 +115,17 @@ scree_status api_world_write_render_rows(scree_world* world, int* count)
 	if ((size_t)*count > room)
 		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and the shared memory has room for %zu", function,
 		            *count, room);
-	return *count > 0 ? world_note(world, pipeline_render(&world->pipeline, world->collidables.used, true)) : SCREE_OK;
+	return *count > 0 ? render(world, alpha, true) : SCREE_OK;
+}
+
+scree_status api_world_write_render_rows(scree_world* world, int* count)
+{
+	FLOAT_MODE_HERE;
+	return write_rows(world, "scree_world_write_render_rows", 1.0f, count);
+}
+
+scree_status api_world_write_interpolated_rows(scree_world* world, float alpha, int* count)
+{
+	FLOAT_MODE_HERE;
+	return write_rows(world, "scree_world_write_interpolated_rows", alpha, count);
 }

@@ -71,8 +71,9 @@ KERNEL(step_begin)
 	(void)i;
 }
 
-// Returns the world pose of collidable i. The pose of a collidable without a body is already in the world.
-INLINE WorldShape collidable_place(const Pools* p, int i)
+// Returns the world pose of collidable i, with bodies at the given poses. The pose of a collidable without a body is
+// already in the world.
+INLINE WorldShape collidable_at(const Pools* p, int i, const GLOBAL Float4* poses)
 {
 	WorldShape world_shape;
 	Float4 own = p->collidable_pose[i];
@@ -82,7 +83,7 @@ INLINE WorldShape collidable_place(const Pools* p, int i)
 	Vec position = vec(own.x, own.y), rotation = vec(own.z, own.w), center = vec(0.0f, 0.0f);
 	if (body >= 0)
 	{
-		Float4 pose = p->pose[body];
+		Float4 pose = poses[body];
 		Float2 middle = p->local_center[body];
 		Vec turn = vec(pose.z, pose.w);
 		Vec arm = vec_turn(turn, vec(own.x - middle.x, own.y - middle.y));
@@ -98,6 +99,8 @@ INLINE WorldShape collidable_place(const Pools* p, int i)
 	world_shape.center_y = center.y;
 	return world_shape;
 }
+
+INLINE WorldShape collidable_place(const Pools* p, int i) { return collidable_at(p, i, p->pose); }
 
 INLINE Vec world_vertex(WorldShape world_shape, const GLOBAL Attribute* attribute, int k)
 {
@@ -226,13 +229,13 @@ KERNEL(transform_undo)
 	p->collidable_flags[i] = flags & COLLIDABLE_SHIFTED ? COLLIDABLE_CHANGED : 0;
 }
 
-// Writes the current pose of a collidable to its render row. The pool world_shape has older poses: those at which the
-// last step computed contacts.
+// Writes the pose of a collidable to its render row: the current one or, if the argument is 1, that of the kernel
+// interpolate. The pool world_shape has older poses: those at which the last step computed contacts.
 KERNEL(render_row)
 {
 	WorldShape world_shape = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};
 	if (p->collidable_kind[i] != KIND_DEAD)
-		world_shape = collidable_place(p, i);
+		world_shape = collidable_at(p, i, p->argument ? p->base : p->pose);
 	p->render_row[i] = world_shape;
 }
 

@@ -96,6 +96,9 @@ INLINE void body_rise(const Pools* p, int i)
 	p->still[i] = 0.0f;
 }
 
+// Marks a body as standing: its pose is not interpolated until the next step that visits it.
+INLINE void body_stand(const Pools* p, int i) { p->start_pose[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f); }
+
 // Puts a body to sleep in an island, or moves a sleeping body to another island.
 INLINE void body_sleep(const Pools* p, int i, int island)
 {
@@ -112,6 +115,7 @@ INLINE void body_sleep(const Pools* p, int i, int island)
 	p->body[i].vx = 0.0f;
 	p->body[i].vy = 0.0f;
 	p->body[i].w = 0.0f;
+	body_stand(p, i);
 }
 
 #endif

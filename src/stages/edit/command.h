@@ -29,6 +29,7 @@ INLINE void command_body_change(const Pools* p, Command c)
 		Vec position = command_center(p, i, value);
 		p->pose[i] = make_float4(position.x, position.y, value.z, value.w);
 		p->pose_low[i] = make_float2(0.0f, 0.0f);
+		body_stand(p, i);
 		break;
 	}
 	case COMMAND_ENABLED:

@@ -56,7 +56,14 @@ INLINE void command_mass(const Pools* p, int i, Float4 value)
 	p->local_center[i] = make_float2(value.z, value.w);
 	// adding 0 would turn a coordinate of -0 into 0
 	if (shift.x != 0.0f || shift.y != 0.0f)
+	{
+		Float4 start = p->start_pose[i];
+		Vec before = vec_turn(vec(start.z, start.w), vec(value.z - old.x, value.w - old.y));
+		p->start_pose[i] = make_float4(start.x + before.x, start.y + before.y, start.z, start.w);
 		pose_move(p, i, shift, turn);
+	}
+	if (value.x == 0.0f)
+		body_stand(p, i);
 	p->body[i].inv_mass = value.x;
 	p->body[i].inv_inertia = value.y;
 	command_velocity(p, i, v);
@@ -84,6 +91,7 @@ INLINE void command_rest(const Pools* p, int i)
 	GLOBAL Motion* motion = p->motion + i;
 	StoredVelocity stored = {state.vx, state.vy, state.w, 1.0f};
 	p->stored_velocity[i] = stored;
+	body_stand(p, i);
 	p->body[i].vx = 0.0f;
 	p->body[i].vy = 0.0f;
 	p->body[i].w = 0.0f;
@@ -144,6 +152,7 @@ INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 	body_gone_wake(p, i);
 	item_clear(p, PER_BODY, i);
 	p->reported_pose[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	body_stand(p, i);
 	p->pose[i] = pose;
 	p->local_center[i] = center;
 	p->motion[i].free_x = 1.0f;

@@ -15,6 +15,7 @@ INLINE int finalize_finite(Vec v, float w, Vec d, float da)
 
 INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 {
+	p->start_pose[i] = p->pose[i];
 	Vec turn = vec(p->pose[i].z, p->pose[i].w);
 	if (da != 0.0f)
 	{

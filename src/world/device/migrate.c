@@ -64,6 +64,8 @@ static scree_status copy_all(Move* m)
 		TRY(copy(m, POOL_leaf, t * from->capacity[PER_COLLIDABLE], t * to->capacity[PER_COLLIDABLE],
 		         world->pipeline.trees[t].tree.leaves));
 
+	TRY(to->f->clear(to, POOL_start_pose, 0, to->capacity[PER_BODY]));
+
 	// this read also stores the counters in the backend, waits for the writes, and reports failed writes
 	Counters counters;
 	return to->f->read(to, POOL_counters, 0, 1, &counters);

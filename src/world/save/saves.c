@@ -175,6 +175,8 @@ static scree_status load_all(scree_world* world, const Save* save, HostLoad* hos
 		status = saved_pools_copy(world, false, save->range, save->counts, save->leaves, true);
 	if (status == SCREE_OK)
 		status = saved_words_run(world, save, true);
+	if (status == SCREE_OK) // bodies jump to the poses of the save
+		status = b->f->clear(b, POOL_start_pose, 0, b->capacity[PER_BODY]);
 	if (status == SCREE_OK)
 	{
 		saved_host_read(host);

@@ -127,7 +127,8 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 	{
 		size_t bytes = pool_info[pool].bytes;
 		// the pool of reported poses is used only after the user's first request for moved bodies
-		if (!is_cleared(pool, PER_BODY) && !(pool == POOL_reported_pose && world->pipeline.tells))
+		if (!is_cleared(pool, PER_BODY) && pool != POOL_start_pose &&
+		    !(pool == POOL_reported_pose && world->pipeline.tells))
 			continue;
 		memset(stage, 0, (size_t)(end - begin) * bytes);
 		for (int k = begin; k < end; ++k)
