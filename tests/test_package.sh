@@ -21,6 +21,7 @@ for shared in OFF ON; do
 	cmake --build "$build" >>"$scratch/log" || { cat "$scratch/log"; exit 1; }
 	LD_LIBRARY_PATH=$libdir "$build/hello" | tee "$scratch/cmake_$shared.txt"
 	LD_LIBRARY_PATH=$libdir "$build/car" | tee "$scratch/car_$shared.txt"
+	LD_LIBRARY_PATH=$libdir "$build/time" | tee "$scratch/time_$shared.txt"
 	LD_LIBRARY_PATH=$libdir "$build/rollback" --demo --threads 1 --speed 8 --frames 240 --delay 60 --log 240
 	linked=$(objdump -p "$build/hello" | grep -c 'NEEDED.*libscree' || true)
 	[ "$linked" = "$([ $shared = ON ] && echo 1 || echo 0)" ] || { echo "BUILD_SHARED_LIBS=$shared links the wrong library"; exit 1; }
@@ -42,6 +43,8 @@ done
 grep -q 'the box rests at .*, 0\.[45]' "$scratch/cmake_OFF.txt"
 # the car drives over the bump and stays on its wheels
 cmp "$scratch/car_OFF.txt" "$scratch/car_ON.txt"
+cmp "$scratch/time_OFF.txt" "$scratch/time_ON.txt"
+grep -q '^steps of 1/60 s: 80 steps, 1.15 s dropped, .*, 4\.49' "$scratch/time_OFF.txt"
 grep -q '^3\.0 s: the car is at 1[0-9]\..*, 0\.[89]' "$scratch/car_OFF.txt"
 
 # the library exports only names of its interface

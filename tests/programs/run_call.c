@@ -151,6 +151,7 @@ static scree_status run_read(const CallRun* r)
 {
 	static scree_contact contacts[MOST_READ];
 	static scree_render_row shown[MOST_READ];
+	static scree_pose between[MOST_READ];
 	uint64_t word = HASH_BEGIN;
 	int counts[3] = {0};
 	scree_status status = scree_world_get_contacts(r->world, contacts, MOST_READ, &counts[0]);
@@ -166,6 +167,9 @@ static scree_status run_read(const CallRun* r)
 		status = scree_world_get_render_rows(r->world, shown, MOST_READ, &counts[2]);
 	if (status == SCREE_OK)
 		word = hash_words(word, shown, (size_t)(counts[2] < MOST_READ ? counts[2] : MOST_READ) * sizeof shown[0]);
+	int listed = 0;
+	if (status == SCREE_OK) // these poses differ after a move or a recovery, which only the other world has
+		status = scree_world_get_interpolated(r->world, 0.3f, NULL, between, MOST_READ, &listed);
 	word = hash_words(word, counts, sizeof counts);
 	scree_counters c;
 	if (status == SCREE_OK)
