@@ -37,7 +37,7 @@ world/objects
 world/chain
 world/device
 world/upload
-world/create world/pool_read world/own_queries
+world/create world/pool_read
 world/snapshot
 world/save
 world/record

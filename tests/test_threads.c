@@ -22,7 +22,7 @@ static void with_workers(void test(Scene* scene, int workers))
 {
 	for (int i = 0; i < WORKER_COUNTS; ++i)
 	{
-		Scene scene = {.threads = threads_open(worker_counts[i])};
+		Scene scene = {.threads = threads_open(worker_counts[i], NULL)};
 		assert_non_null(scene.threads);
 		assert_int_equal(threads_workers(scene.threads), worker_counts[i]);
 		test(&scene, worker_counts[i]);
@@ -161,7 +161,7 @@ static void test_open_and_close_leave_nothing(void** state)
 	(void)state;
 	size_t before = scree_memory();
 	for (int i = 0; i < 50; ++i)
-		threads_close(threads_open(i % 4 + 1));
+		threads_close(threads_open(i % 4 + 1, NULL));
 	threads_close(NULL);
 	assert_int_equal(scree_memory(), before);
 }

@@ -10,7 +10,9 @@
 //
 // Units are metres, kilograms, seconds and radians. Positive angles are counter-clockwise.
 //
-// Threads. Only one thread at a time may use a world. Different threads may use different worlds at the same time.
+// Threads. Only one thread at a time may use a world, except for the functions listed at scree_world_prepare_queries.
+// Different threads may use different worlds at the same time. The threads of an engine can do the work of a world in
+// place of those of the library: scree_world_def.tasks. See docs/threads.md.
 //
 // Errors. Every function that can fail returns a scree_status. If the status is not SCREE_OK, nothing has changed,
 // except where noted, and scree_error() returns one sentence that names the argument and its value. A null pointer, a
@@ -255,6 +257,24 @@ typedef struct scree_opengl // an OpenGL context
 	void *context, *display;
 } scree_opengl;
 
+// A part of the work of a step, which threads of the user run. argument: that of scree_tasks.enqueue.
+typedef void scree_task(int index, void* argument);
+
+// Functions of a pool of threads, which do the work of a world. They are called on the thread that calls Scree, and never
+// by the functions listed at scree_world_prepare_queries.
+typedef struct scree_tasks
+{
+	// Makes the pool call task(index, argument) once for each index from 0 to count - 1, on any threads, at the same time or
+	// one after another, now or later. Returns a pointer for `finish`, which the library does not read. Null: all calls have
+	// returned, or none will be made; then `finish` is not called, and the calling thread does the work that is left.
+	// A task does not wait for another one, and it returns soon after the call of `finish` at the latest.
+	void* (*enqueue)(scree_task* task, void* argument, int count, void* context);
+	// Returns when all calls of the task have returned. Meanwhile it may run tasks on the calling thread. It must not
+	// depend on the calling thread if that is one of the pool.
+	void (*finish)(void* enqueued, void* context);
+	void* context; // last argument of both functions
+} scree_tasks;
+
 typedef struct scree_world_def
 {
 	uint32_t size;           // set by scree_world_def_default
@@ -297,6 +317,10 @@ typedef struct scree_world_def
 	// Steps from one kept state to the next, at least 0. A world on an OpenCL device that fails goes on on the CPU from the
 	// last kept state (see "Devices that fail"). 0 (default): no state is kept. Has no effect while a world is on the CPU.
 	int recovery_interval;
+	// Pool of threads that does the work of the world; then the library starts no thread for it, `threads` is the maximum
+	// number of threads that work at the same time, the caller included, and device "auto" is "cpu". The struct is copied;
+	// the pool must outlive the world. Both functions must be set. null (default): the library starts threads.
+	const scree_tasks* tasks;
 } scree_world_def;
 
 // Returns a definition with the default values.
@@ -1886,6 +1910,22 @@ typedef struct scree_query_results // all results of a call
 	const int* first;
 } scree_query_results;
 
+// Prepares the world for queries: uploads pending changes, and computes the boxes that the first query after a change would
+// compute otherwise, with all workers. It is never needed. Only one thread at a time may call it, as with any function that is
+// not listed here.
+//
+// Several threads may call these functions at the same time with the same world, while no other function uses it:
+//   scree_world_cast_rays, scree_world_cast_ray, scree_world_cast_shapes, scree_world_cast_shape,
+//   scree_world_list_rays, scree_world_list_shapes, scree_world_overlap_box, scree_world_overlap_shape,
+//   scree_world_overlap_point, scree_world_find_nearest;
+//   scree_bodies_get_poses, scree_bodies_get_velocities, scree_body_get_pose, scree_body_get_velocity,
+//   scree_body_get_world_point, scree_body_get_local_point, scree_body_get_point_velocity;
+//   and, after scree_world_prepare_queries, all functions with a const scree_world*.
+// On the CPU they run in parallel; the first call after a change prepares the world, and the others wait for that. On another
+// device they run one after another. Their results do not depend on the number of threads. In WebAssembly, only one thread
+// may use a world.
+SCREE_API scree_status scree_world_prepare_queries(scree_world* world);
+
 // Finds the first collidable that each ray meets; of several at the same fraction, that with the lowest index.
 // Writes one result per ray to found. def may be null for the default. Method: an 8-ary tree of boxes, searched in the
 // order of the distance; rounded polygons are exact.
@@ -1929,8 +1969,8 @@ SCREE_API scree_status scree_world_cast_shared_shapes(scree_world* world, const 
                                                       size_t found_offset);
 
 // Finds all collidables that each ray meets; a ray with translation 0 finds all that overlap its origin. The arrays of
-// *list belong to the world; they are valid until the next call that fills a list, or until the world is destroyed. def
-// may be null for the default; def->any must be false.
+// *list belong to the world; they are valid until the next call of this thread that fills a list, or until the world is
+// destroyed. def may be null for the default; def->any must be false.
 static inline scree_status scree_world_list_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
                                                  int count, scree_query_results* list);
 // Finds all collidables that a shape meets when it moves from the pose of each probe, as above; a null shape is a

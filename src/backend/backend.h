@@ -34,6 +34,7 @@ typedef struct
 	float device_timeout;       // OpenCL: scree_world_def.device_timeout, s
 	bool gpu;                   // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
 	const scree_opengl* opengl; // OpenGL context with which memory is shared, or null
+	const scree_tasks* tasks;   // scree_world_def.tasks
 	TestWorlds* test;           // OpenCL: test of a device without a verdict; null: it is not tested
 } BackendOptions;
 
@@ -47,6 +48,15 @@ typedef struct // memory that OpenGL or another program uses too; the caller own
 	uint32_t buffer;   // SCREE_SHARING_OPENGL: name of a buffer object
 	size_t bytes;
 } SharedMemory;
+
+typedef struct // a run of a query kernel on memory of the caller
+{
+	int kernel, argument, count;
+	const void* queries; // array of Query
+	QueryPlan* plan;
+	QueryResult* found; // results, or room for QueryPlan.room of them
+	int* found_query;   // with QUERY_ALL: index of the query of each result, with the same room
+} Search;
 
 typedef enum // uses of shared memory
 {
@@ -133,6 +143,10 @@ typedef struct // every function that returns a status sets the error's sentence
 	void (*copy_release)(Backend* b);
 	// copies one block to the other `times` times, on the whole device; returns after the copies
 	scree_status (*copy)(Backend* b, int times);
+	// executes a search on the calling thread. Several threads may search at the same time after searches_open, until the next
+	// other call that changes pools that queries read. Null: searches are batches
+	void (*searches_open)(Backend* b);
+	void (*search)(Backend* b, const Search* search);
 	// chooses the form of later solves; returns false if the device lacks the form, or has no other; may be null
 	bool (*form)(Backend* b, SolveForm form);
 } BackendFunctions;
@@ -148,6 +162,7 @@ struct Backend
 	int groups;                        // number of work-groups that run at the same time, at least 1
 	bool distant;                      // the device is not the host, so a read takes as long as many runs
 	double test_milliseconds;          // time for which opencl_open has tested the device; 0 if it had a verdict
+	bool alone;                        // runs use the calling thread only, not the user's pool of threads
 	bool skips;                        // the backend skips blocks that are not in `active`
 	scree_sharing sharing;             // SCREE_SHARING_COPIED: functions that use SharedMemory may be null
 	int capacity[PER_COUNT];           // number of items that the pools of each kind can hold

@@ -67,12 +67,13 @@ static scree_status cpu_timings(Backend* b, double milliseconds[STAGE_COUNT])
 }
 
 // Leaves one core to others (core: true) by using one worker fewer, if the workers occupy all cores; otherwise uses all
-// workers. A worker whose core is busy would delay the other workers.
+// workers. A worker whose core is busy would delay the other workers. Called for device "auto", whose workers are threads of
+// the library: with a pool of the user it is the CPU.
 static void cpu_spare(Backend* b, bool core)
 {
 	Cpu* cpu = b->state;
 	int workers = core && b->threads > 2 && b->threads >= processor_cores() ? b->threads - 1 : b->threads;
-	Threads* threads = workers == threads_workers(cpu->threads) ? NULL : threads_open(workers);
+	Threads* threads = workers == threads_workers(cpu->threads) ? NULL : threads_open(workers, NULL);
 	if (!threads)
 		return;
 	threads_close(cpu->threads);
@@ -104,6 +105,8 @@ static const BackendFunctions functions = {
     .timings = cpu_timings,
     .address = cpu_address,
     .spare = cpu_spare,
+    .searches_open = cpu_searches_open,
+    .search = cpu_search,
     .copy_reserve = cpu_copy_reserve,
     .copy_release = cpu_copy_release,
     .copy = cpu_copy,
@@ -169,7 +172,7 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	cpu->choice.shares = true;
 	choose_kernels(cpu, lanes);
 
-	cpu->threads = threads_open(threads);
+	cpu->threads = threads_open(threads, options->tasks);
 	if (!cpu->threads)
 	{
 		cpu_close(b);

@@ -33,6 +33,7 @@ typedef struct // the state of the backend
 {
 	Backend backend;
 	Pools pools;
+	Pools search_pools; // copy of `pools` that searches read
 	Threads* threads;
 	Choice choice;
 	bool shares;     // the workers shared the last solve
@@ -67,6 +68,10 @@ void cpu_work(Cpu* cpu, const Run* runs, int count, int grain);
 // choice.c: executes the list of a solve by one worker or by all workers, whichever took less time before. items:
 // number of items in the list; chains: number of items that would take as long as the chains of the solve.
 void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double chains);
+
+// search.c: functions of the CPU backend.
+void cpu_searches_open(Backend* b);
+void cpu_search(Backend* b, const Search* search);
 
 // pool_memory.c: functions of the CPU backend.
 void cpu_free_pools(Cpu* cpu);

@@ -144,7 +144,7 @@ static void count_time(Cpu* cpu, const Run* run)
 // Returns the number of blocks of a run: 1 if one worker executes it.
 static int count_blocks(const Cpu* cpu, int kernel, int items, const ActiveBlocks* active)
 {
-	int workers = threads_workers(cpu->threads), least = smallest_shared(cpu, kernel), most = workers;
+	int workers = cpu->backend.alone ? 1 : threads_workers(cpu->threads), least = smallest_shared(cpu, kernel), most = workers;
 	if (workers == 1 || items < least)
 		return 1;
 	if (kernel >= KERNEL_COUNT)

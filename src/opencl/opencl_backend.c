@@ -263,6 +263,8 @@ static scree_status open_device(Backend* b, const BackendOptions* options, const
 	d->wait_limit = device_wait_limit(device, options);
 	d->constants.version = 1; // version 0 of new kernels differs from this, so their first launch sets the step
 	d->device = *device;
+	if (options->tasks)
+		d->transfer.tasks = *options->tasks;
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
 	b->traversal_items = d->device.about.compute_units * KERNEL_GROUP;

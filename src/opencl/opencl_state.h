@@ -39,6 +39,7 @@ typedef struct // memory of uploads; the device may read it until the host has w
 typedef struct // state of transfer.c, which transfers large arrays
 {
 	Pinned pinned;
+	scree_tasks tasks;                // pool of the user; enqueue is null if there is none
 	Threads* threads;                 // null until the first large transfer
 	cl_event events[TRANSFER_BLOCKS]; // for each block: event of the last command that uses it
 	cl_command_queue up, down;        // queues of batches, null until the first batch

@@ -52,7 +52,8 @@ scree_status transfer_open(OpenCl* d)
 	if (!c->pinned.memory)
 		TRY(pinned_open(d, TRANSFER_BLOCKS * TRANSFER_BLOCK, &c->pinned));
 	if (!c->threads)
-		c->threads = threads_open(cores < TRANSFER_THREADS ? cores : TRANSFER_THREADS);
+		c->threads =
+		    threads_open(cores < TRANSFER_THREADS ? cores : TRANSFER_THREADS, c->tasks.enqueue ? &c->tasks : NULL);
 	return c->threads ? SCREE_OK : SCREE_ERROR_OUT_OF_MEMORY;
 }
 

@@ -8,9 +8,10 @@ struct Threads
 	char unused;
 };
 
-Threads* threads_open(int workers)
+Threads* threads_open(int workers, const scree_tasks* tasks)
 {
 	static Threads alone;
+	(void)tasks;
 	if (workers == 1)
 		return &alone;
 	fail(SCREE_ERROR_OUT_OF_MEMORY, "threads is %d, must be 1 in a build without threads", workers);

@@ -15,6 +15,7 @@ typedef HANDLE Thread;
 #define mutex_open            InitializeSRWLock
 #define mutex_close(m)        ((void)(m))
 #define mutex_lock            AcquireSRWLockExclusive
+#define mutex_try(m)          (TryAcquireSRWLockExclusive(m) != 0) // locks it unless it is locked; returns whether it did
 #define mutex_unlock          ReleaseSRWLockExclusive
 #define condition_open        InitializeConditionVariable
 #define condition_close(c)    ((void)(c))
@@ -35,6 +36,7 @@ typedef pthread_t Thread;
 #define mutex_open(m)         pthread_mutex_init(m, NULL)
 #define mutex_close           pthread_mutex_destroy
 #define mutex_lock            pthread_mutex_lock
+#define mutex_try(m)          (pthread_mutex_trylock(m) == 0) // locks it unless it is locked; returns whether it did
 #define mutex_unlock          pthread_mutex_unlock
 #define condition_open(c)     pthread_cond_init(c, NULL)
 #define condition_close       pthread_cond_destroy

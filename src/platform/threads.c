@@ -10,6 +10,11 @@
 // A waiting worker spins first, because a step has hundreds of jobs of about 1 us. Then it yields its core, because
 // another worker may need the core on a busy machine; adapt_spins adapts the number of spins. After its yields a worker
 // sleeps, but never between threads_begin and threads_end; threads_begin wakes it.
+//
+// With threads of the user, the first shared job after threads_begin is enqueued as a task for each other worker. A task
+// serves this job and later ones, and returns at threads_end or after a long wait. No job waits for a task: worker 0
+// processes each block that nobody has claimed. So the user's threads may run the tasks late, one after another, on the
+// thread of worker 0, or not at all.
 #include "platform/threads.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -27,6 +32,7 @@
 #define HELP_SPINS   40 // number of pause instructions before an idle worker claims blocks of late workers
 #define WAKES        2  // number of workers that a worker wakes after its own wake-up
 #define BLOCK_BITS   8  // lowest bits of a turn, which hold the number of blocks
+#define TASK_YIELDS  20 // number of yields after the spin of a task, before the task returns
 
 typedef struct
 {
@@ -49,9 +55,19 @@ struct Threads
 	_Alignas(CACHE_LINE) atomic_int done;     // number of finished blocks of the current job
 	_Alignas(CACHE_LINE) atomic_int sleepers; // number of workers that sleep or are about to sleep
 	_Alignas(CACHE_LINE) atomic_int spins;    // number of pause instructions in the next spin; rarely written
-	atomic_bool awake;                        // true: no worker may fall asleep
+	atomic_bool awake;                        // true: no worker may fall asleep, and no task need return
 	atomic_bool ends;
+	// threads of the user
+	scree_tasks tasks;      // enqueue is null: the workers are threads of the library
+	bool enqueued;          // tasks were enqueued since threads_begin, and are not finished
+	bool alone;             // worker 0 processes all later jobs until threads_end
+	void* enqueued_task;    // result of scree_tasks.enqueue
+	const char* caller;     // identifies the thread of worker 0
+	atomic_int returned;    // number of tasks that have returned since they were enqueued
+	atomic_int task_blocks; // number of blocks that these tasks have processed
 };
+
+static _Thread_local char this_thread; // its address identifies the thread
 
 static void pause_core(void)
 {
@@ -148,22 +164,97 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 static int blocks_of(unsigned long long turn) { return (int)(turn & ((1 << BLOCK_BITS) - 1)); }
 
 // Claims and processes a block of a job, unless it is claimed. The data of the job exist until all blocks are done.
-static void try_block(Threads* t, unsigned long long turn, int block)
+// Returns whether it has processed the block.
+static bool try_block(Threads* t, unsigned long long turn, int block)
 {
 	unsigned long long job = turn >> BLOCK_BITS,
 	                   last = atomic_load_explicit(&t->seats[block].claimed, memory_order_relaxed);
 	if (last >= job || !atomic_compare_exchange_strong_explicit(&t->seats[block].claimed, &last, job,
 	                                                            memory_order_acq_rel, memory_order_relaxed))
-		return;
+		return false;
 	t->function(t->context, block, blocks_of(turn));
 	atomic_fetch_add_explicit(&t->done, 1, memory_order_release);
+	return true;
 }
 
-static void help(Threads* t, unsigned long long turn, int worker)
+// Returns the number of blocks that it has processed.
+static int help(Threads* t, unsigned long long turn, int worker)
 {
-	int blocks = blocks_of(turn);
+	int blocks = blocks_of(turn), processed = 0;
 	for (int k = 1; k <= blocks; ++k)
-		try_block(t, turn, (worker + k) % blocks);
+		processed += try_block(t, turn, (worker + k) % blocks);
+	return processed;
+}
+
+// Waits for another job. Returns false if the task should return: after threads_end, or after a long wait.
+static bool task_waits(const Threads* t, unsigned long long turn)
+{
+	if (spin(t, turn, atomic_load_explicit(&t->spins, memory_order_relaxed)))
+		return true;
+	for (int k = 0; k < TASK_YIELDS && atomic_load_explicit(&t->awake, memory_order_acquire); ++k)
+	{
+		if (atomic_load_explicit(&t->turn, memory_order_acquire) != turn)
+			return true;
+		give_core_away();
+	}
+	return false;
+}
+
+// A task for the user's threads. On the thread of worker 0 it processes all blocks of the current job and returns,
+// because worker 0 cannot publish another job before that.
+static void serve_jobs(int index, void* argument)
+{
+	Threads* t = argument;
+	int worker = index + 1, processed = 0;
+	bool on_caller = t->caller == &this_thread;
+	FloatMode found = float_mode_enter();
+	unsigned long long turn = atomic_load_explicit(&t->turn, memory_order_acquire);
+	while (atomic_load_explicit(&t->awake, memory_order_acquire))
+	{
+		if (worker < blocks_of(turn))
+			processed += try_block(t, turn, worker);
+		if (on_caller || !spin(t, turn, HELP_SPINS))
+			processed += help(t, turn, worker);
+		if (on_caller || !task_waits(t, turn))
+			break;
+		turn = atomic_load_explicit(&t->turn, memory_order_acquire);
+	}
+	float_mode_leave(found);
+	atomic_fetch_add(&t->task_blocks, processed);
+	atomic_fetch_add(&t->returned, 1);
+}
+
+static void finish_tasks(Threads* t)
+{
+	FLOAT_MODE_HERE; // the call may run other work of the user, which changes the mode
+	if (t->enqueued_task)
+		t->tasks.finish(t->enqueued_task, t->tasks.context);
+	t->enqueued_task = NULL;
+	t->enqueued = false;
+}
+
+// Enqueues tasks for the published job, unless earlier tasks are still there to serve it. Tasks that have returned
+// without work came too late, or run on the thread of worker 0; then no others follow until threads_end.
+static void enqueue_tasks(Threads* t)
+{
+	FLOAT_MODE_HERE;
+	int count = t->workers - 1;
+	if (t->alone || (t->enqueued && atomic_load(&t->returned) < count))
+		return;
+	if (t->enqueued)
+	{
+		t->alone = atomic_load(&t->task_blocks) == 0;
+		finish_tasks(t);
+		if (t->alone)
+			return;
+	}
+	atomic_store(&t->returned, 0);
+	atomic_store(&t->task_blocks, 0);
+	t->caller = &this_thread;
+	t->enqueued = true;
+	t->enqueued_task = t->tasks.enqueue(serve_jobs, t, count, t->tasks.context);
+	// without a task to finish, all tasks have run within the call, or none will
+	t->alone = !t->enqueued_task || atomic_load(&t->returned) == count;
 }
 
 static THREAD_RESULT thread_main(void* argument)
@@ -184,7 +275,7 @@ static THREAD_RESULT thread_main(void* argument)
 	return THREAD_END;
 }
 
-Threads* threads_open(int workers)
+Threads* threads_open(int workers, const scree_tasks* tasks)
 {
 	Threads* t = scree_allocate(sizeof(Threads));
 	if (!t)
@@ -194,7 +285,10 @@ Threads* threads_open(int workers)
 	}
 	t->most_spins = workers > processor_cores() ? 0 : SPINS;
 	atomic_init(&t->spins, t->most_spins);
-	for (t->workers = 1; t->workers < workers; ++t->workers)
+	if (tasks)
+		t->tasks = *tasks;
+	t->workers = tasks ? workers : 1;
+	for (; t->workers < workers; ++t->workers)
 	{
 		Seat* seat = &t->seats[t->workers];
 		seat->threads = t;
@@ -225,6 +319,8 @@ void threads_close(Threads* t)
 {
 	if (!t)
 		return;
+	if (t->tasks.enqueue)
+		t->workers = 1; // no seat has a thread
 	atomic_store(&t->ends, true);
 	publish(t, 0);
 	for (int k = 1; k < t->workers; ++k)
@@ -245,11 +341,19 @@ int threads_workers(const Threads* t) { return t->workers; }
 void threads_begin(Threads* t)
 {
 	atomic_store(&t->awake, true);
+	t->alone = false;
 	if (atomic_load(&t->sleepers) > 0)
 		wake_some(t);
 }
 
-void threads_end(Threads* t) { atomic_store_explicit(&t->awake, false, memory_order_relaxed); }
+void threads_end(Threads* t)
+{
+	atomic_store_explicit(&t->awake, false, memory_order_release);
+	if (!t->enqueued)
+		return;
+	publish(t, 0); // ends the spins of tasks
+	finish_tasks(t);
+}
 
 void threads_run_once(Threads* t, BlockFunction* function, void* context)
 {
@@ -269,10 +373,12 @@ void threads_run(Threads* t, BlockFunction* function, void* context, int blocks)
 	t->context = context;
 	atomic_store_explicit(&t->done, 0, memory_order_relaxed);
 	unsigned long long turn = publish(t, blocks);
+	if (t->tasks.enqueue)
+		enqueue_tasks(t);
 	try_block(t, turn, 0);
 	for (int k = 0; atomic_load_explicit(&t->done, memory_order_acquire) < blocks; ++k)
 	{
-		if (k == HELP_SPINS)
+		if (k == (t->alone ? 0 : HELP_SPINS))
 			help(t, turn, 0);
 		if (k < t->most_spins)
 			pause_core();

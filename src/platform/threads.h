@@ -3,6 +3,7 @@
 #ifndef THREADS_H
 #define THREADS_H
 #include "platform/exact_floats.h"
+#include "scree/scree.h"
 #include <stdbool.h>
 
 #define MAX_WORKERS 64
@@ -12,8 +13,9 @@ typedef struct Threads Threads;
 // Processes one block, which is a share of the items of a job. blocks: number of blocks of the job.
 typedef void BlockFunction(void* context, int block, int blocks);
 
-// Starts workers - 1 threads; the caller of threads_run is worker 0. On failure sets the message and returns null.
-Threads* threads_open(int workers);
+// Starts workers - 1 threads; the caller of threads_run is worker 0. With tasks (null: none), which is copied, starts no
+// thread: threads of the user are the other workers. On failure sets the message and returns null.
+Threads* threads_open(int workers, const scree_tasks* tasks);
 void threads_close(Threads* t); // t may be null
 
 int threads_workers(const Threads* t);

@@ -105,14 +105,19 @@ static scree_status send_names(Backend* b, PoolId pool, const Names* names, uint
 	return SCREE_OK;
 }
 
-static scree_status prepare(Pipeline* pipeline, const QueryRequest* q)
+// bodies: null for sensors, which ignore no body, but see the motion of the last step.
+static scree_status prepare_trees(Pipeline* pipeline, const Names* collidables, const Names* bodies)
 {
 	Backend* b = pipeline->backend;
+	TRY(refit(pipeline, !bodies));
+	TRY(send_names(b, POOL_generation, collidables, &pipeline->named));
+	return bodies ? send_names(b, POOL_body_generation, bodies, &pipeline->named_bodies) : SCREE_OK;
+}
+
+static scree_status prepare(Pipeline* pipeline, const QueryRequest* q)
+{
 	TRY(lap(pipeline, q));
-	TRY(refit(pipeline, q->form == QUERY_SENSORS));
-	TRY(send_names(b, POOL_generation, &q->collidables, &pipeline->named));
-	if (q->form != QUERY_SENSORS) // sensors ignore no body
-		TRY(send_names(b, POOL_body_generation, &q->bodies, &pipeline->named_bodies));
+	TRY(prepare_trees(pipeline, &q->collidables, q->form == QUERY_SENSORS ? NULL : &q->bodies));
 	return pipeline_reserve(pipeline, PER_QUERY, q->count);
 }
 
@@ -167,6 +172,51 @@ scree_status queries_answer(Pipeline* pipeline, const QueryRequest* q, QueryResu
 	TRY(b->f->run(b, &pipeline->step, &run, 1));
 	TRY(b->f->upload(b, POOL_found, q->count, q->found_at));
 	return lap(pipeline, q);
+}
+
+scree_status searches_prepare(Pipeline* pipeline, const Names* collidables, const Names* bodies)
+{
+	Backend* b = pipeline->backend;
+	TRY(prepare_trees(pipeline, collidables, bodies));
+	if (b->f->searches_open)
+		b->f->searches_open(b);
+	return SCREE_OK;
+}
+
+scree_status search_answer(const Pipeline* pipeline, const QueryRequest* q, QueryResult* found)
+{
+	Backend* b = pipeline->backend;
+	Run run = search_of(pipeline, q, q->any ? QUERY_ANY : QUERY_CLOSEST);
+	QueryPlan plan = q->plan;
+	plan.bodies = q->bodies.count;
+	TRY(q->check(q->context, 0, q->count));
+	b->f->search(b, &(Search){.kernel = run.kernel_id,
+	                          .argument = run.argument,
+	                          .count = q->count,
+	                          .queries = q->items,
+	                          .plan = &plan,
+	                          .found = found});
+	return SCREE_OK;
+}
+
+scree_status search_list(const Pipeline* pipeline, const QueryRequest* q, QueryResult* found, int* queries, int room,
+                         int* count)
+{
+	Backend* b = pipeline->backend;
+	Run run = search_of(pipeline, q, QUERY_ALL);
+	QueryPlan plan = q->plan;
+	plan.bodies = q->bodies.count;
+	plan.room = room;
+	TRY(q->check(q->context, 0, q->count));
+	b->f->search(b, &(Search){.kernel = run.kernel_id,
+	                          .argument = run.argument,
+	                          .count = q->count,
+	                          .queries = q->items,
+	                          .plan = &plan,
+	                          .found = found,
+	                          .found_query = queries});
+	*count = plan.found;
+	return SCREE_OK;
 }
 
 static scree_status sort(Pipeline* pipeline, const QueryRequest* q, int count)

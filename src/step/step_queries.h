@@ -31,6 +31,15 @@ typedef struct // arguments of a call that executes queries
 // Computes the result of each query. The user's changes must be uploaded. found: null for queries in shared memory.
 scree_status queries_answer(Pipeline* pipeline, const QueryRequest* questions, QueryResult* found);
 
+// Prepares searches: computes the boxes for queries, and writes generations. The user's changes must be uploaded.
+scree_status searches_prepare(Pipeline* pipeline, const Names* collidables, const Names* bodies);
+
+// Do the same as queries_answer and queries_list on the calling thread, at the same time as other threads, after
+// searches_prepare. search_list stores at most `room` results, unordered; *count: their total number.
+scree_status search_answer(const Pipeline* pipeline, const QueryRequest* questions, QueryResult* found);
+scree_status search_list(const Pipeline* pipeline, const QueryRequest* questions, QueryResult* found, int* queries,
+                         int room, int* count);
+
 // Computes all results of each query; *count: their total number. At most FEW_ANSWERS results are in the pools found
 // and found_query, unordered; a larger number is in found_row and found_row_query, sorted by query, then fraction, then
 // collidable.

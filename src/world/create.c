@@ -12,6 +12,7 @@
 #include "world/objects/paths.h"
 #include "world/objects/reports.h"
 #include "world/objects/sensors.h"
+#include "world/upload/readers.h"
 #include "world/world.h"
 #include <stdio.h>
 
@@ -26,13 +27,6 @@ static scree_status add_ground(scree_world* world, const char* function)
 	world->host_bodies[0] = (HostBody){.first_collidable = -1, .last_collidable = -1};
 	edits_body(world, (BodyRow){.index = 0, .pose.rotation.c = 1.0f});
 	return SCREE_OK;
-}
-
-static void close_queries(const Queries* queries)
-{
-	scree_release(queries->found);
-	scree_release(queries->query);
-	scree_release(queries->first);
 }
 
 void world_destroy(scree_world* world)
@@ -53,8 +47,7 @@ void world_destroy(scree_world* world)
 	sensors_close(world);
 	scree_release(world->moved);
 	scree_release(world->touched.keys);
-	close_queries(&world->queries);
-	close_queries(&world->own_queries);
+	readers_close(world);
 	scree_release(world->attributes);
 	scree_release(world->host_attributes);
 	scree_release(world->attribute_table);
@@ -87,9 +80,16 @@ scree_status world_create(const scree_world_def* def, Backend* backend, scree_wo
 		made->opengl = *def->opengl;
 		made->def.opengl = &made->opengl;
 	}
+	if (def->tasks)
+	{
+		made->tasks = *def->tasks;
+		made->def.tasks = &made->tasks;
+	}
 	snprintf(made->device, sizeof made->device, "%s", backend->name);
 	made->backend = backend;
 	scree_status status = pipeline_open(&made->pipeline, backend, def->body_capacity, def->contact_capacity);
+	if (status == SCREE_OK)
+		status = readers_open(made, function);
 	if (status == SCREE_OK)
 		status = add_ground(made, function);
 	if (status == SCREE_OK)

@@ -278,6 +278,7 @@ struct scree_world
 {
 	scree_world_def def;
 	scree_opengl opengl; // copy that def.opengl points to; unused when def.opengl is null
+	scree_tasks tasks;   // copy that def.tasks points to; unused when def.tasks is null
 	Backend* backend;
 	scree_status broken;       // sticky error, SCREE_OK while healthy; a broken world can only be destroyed
 	bool ruled;                // true once an attribute was a one-way platform or had a material other than 0
@@ -308,7 +309,9 @@ struct scree_world
 	int target_count, target_capacity;
 	Edits edits;
 	Reports reports;
-	Queries queries, own_queries; // queries of the user; queries that the library makes (own_queries.h)
+	struct Readers* readers; // threads that read the world, each with its query results (upload/readers.h)
+	Queries own_queries;     // queries that the library makes
+	bool makes_queries;      // true: the library makes queries, whose results go to own_queries
 	Sensors sensors;
 	Materials materials;
 	Fields fields;

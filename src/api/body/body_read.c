@@ -8,6 +8,7 @@
 #include "world/pool_read.h"
 #include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
+#include "world/upload/readers.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
 
@@ -39,7 +40,13 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 		low = k == 0 || index < low ? index : low;
 		high = index > high ? index : high;
 	}
-	TRY(world_upload(world));
+	TRY(readers_upload(world));
+	const char* pool_rows = pool_item_address(world->backend, pool, 0);
+	if (pool_rows) // without a copy, for which several threads would need memory of their own
+	{
+		*rows = (Rows){.rows = pool_rows, .bytes = pool_info[pool].bytes};
+		return SCREE_OK;
+	}
 	bool dense = (int64_t)high - low < (int64_t)SPARSE_ROWS * count;
 	*rows = (Rows){.bytes = pool_info[pool].bytes, .first = dense ? low : -1};
 	size_t bytes = rows->bytes * (size_t)(dense ? high - low + 1 : count);

@@ -7,7 +7,6 @@
 #include "world/memory.h"
 #include "world/objects/handles.h"
 #include "world/objects/sleep.h"
-#include "world/own_queries.h"
 #include "world/pool_read.h"
 #include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
@@ -59,9 +58,9 @@ scree_status api_world_set_box_awake(scree_world* world, scree_box box, bool awa
 	scree_query_results list;
 	TRY(world_check(world, function));
 	TRY(check_box(function, box));
-	own_queries_swap(world);
+	world->makes_queries = true;
 	scree_status status = scree_world_overlap_box(world, box, &list);
-	own_queries_swap(world);
+	world->makes_queries = false;
 	TRY(status);
 	TRY(edits_reserve(world, function, 0, 0, list.count));
 	for (int k = 0; k < list.count; ++k)

@@ -4,7 +4,6 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
-#include "world/own_queries.h"
 #include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
@@ -110,9 +109,9 @@ scree_status api_world_blast(scree_world* world, const scree_blast_def* def, int
 	query.mask = def->mask;
 	float reach = def->radius + def->falloff;
 	scree_ray circle = {.origin = def->position, .radius = reach < SCREE_MAX_COORDINATE ? reach : SCREE_MAX_COORDINATE};
-	own_queries_swap(world);
+	world->makes_queries = true;
 	scree_status status = scree_world_list_rays(world, &query, &circle, 1, &list);
-	own_queries_swap(world);
+	world->makes_queries = false;
 	TRY(status);
 	if (list.count == 0)
 	{

@@ -6,6 +6,7 @@
 #include "world/objects/handles.h"
 #include "world/pool_values.h"
 #include "world/shape/geometry.h"
+#include "world/upload/readers.h"
 #include <stddef.h>
 #include <string.h>
 
@@ -52,7 +53,7 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 	                                     .mask = def->mask,
 	                                     .kinds = def->kinds,
 	                                     .skips = def->skip_inside,
-	                                     .rules = def->one_way && world->pipeline.rules,
+	                                     .rules = def->one_way && world->pipeline.platforms,
 	                                     .all = def->category == ALL_BITS && def->mask == ALL_BITS,
 	                                     .shape = {.count = 1}},
 	                            .any = def->any,
@@ -156,12 +157,15 @@ scree_status query_shape_of(const char* function, const char* argument, const sc
 	return SCREE_OK;
 }
 
-// Converts a shape as query_shape_of does. The world stores the result, in case the next query has the same shape.
+// Converts a shape as query_shape_of does. The world stores the result, in case the next query of this thread has the same
+// shape.
 static scree_status set_shape(scree_world* world, const char* function, const scree_shape* shape, Attribute* to)
 {
-	Queries* known = &world->queries;
 	if (!shape)
 		return query_shape_of(function, "shape", NULL, to);
+	Queries* known = readers_queries(world, function);
+	if (!known)
+		return SCREE_ERROR_OUT_OF_MEMORY;
 	if (known->attribute.count == 0 || memcmp(shape, &known->shape, sizeof *shape) != 0)
 	{
 		Attribute made;

@@ -8,51 +8,95 @@
 #include "world/memory.h"
 #include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
-#include "world/upload/upload.h"
+#include "world/upload/readers.h"
 
-static void sort_few(QueryResult* found, int* query, int count)
+// Most results of a list that a thread sorts itself, beside other threads.
+#define SEARCHED_ANSWERS 1024
+#define FIRST_ANSWERS    64
+
+// Returns whether a result comes after another one: by query, then fraction, then collidable. No two are equal.
+static bool comes_after(const QueryResult* a, int query_a, const QueryResult* b, int query_b)
 {
-	for (int k = 1; k < count; ++k)
+	if (query_a != query_b)
+		return query_a > query_b;
+	return a->fraction != b->fraction ? a->fraction > b->fraction : a->collidable > b->collidable;
+}
+
+// Donald Shell, A High-Speed Sorting Procedure, 1959, with Knuth's gaps; few results are sorted by insertion.
+static void sort_rows(QueryResult* found, int* query, int count)
+{
+	int gap = 1;
+	while (gap < count / 9)
+		gap = 3 * gap + 1;
+	for (; gap > 0; gap /= 3)
 	{
-		QueryResult row = found[k];
-		int of = query[k], place = k;
-		for (; place > 0; --place)
+		for (int k = gap; k < count; ++k)
 		{
-			const QueryResult* before = found + place - 1;
-			int that = query[place - 1];
-			bool after = that != of                         ? that > of
-			             : before->fraction != row.fraction ? before->fraction > row.fraction
-			                                                : before->collidable > row.collidable;
-			if (!after)
-				break;
-			found[place] = found[place - 1];
-			query[place] = query[place - 1];
+			QueryResult row = found[k];
+			int of = query[k], place = k;
+			for (; place >= gap && comes_after(found + place - gap, query[place - gap], &row, of); place -= gap)
+			{
+				found[place] = found[place - gap];
+				query[place] = query[place - gap];
+			}
+			found[place] = row;
+			query[place] = of;
 		}
-		found[place] = row;
-		query[place] = of;
 	}
 }
 
-static scree_status read_rows(scree_world* world, const char* function, int count)
+static scree_status reserve_rows(const char* function, Queries* q, int count)
 {
-	Queries* q = &world->queries;
 	TRY(GROW(function, q->found, q->capacity, count));
-	TRY(GROW(function, q->query, q->query_capacity, count));
+	return GROW(function, q->query, q->query_capacity, count);
+}
+
+static scree_status read_rows(scree_world* world, const char* function, Queries* q, int count)
+{
+	TRY(reserve_rows(function, q, count));
 	TRY(queries_read(&world->pipeline, count, q->found, q->query));
 	if (count <= FEW_ANSWERS)
-		sort_few(q->found, q->query, count);
+		sort_rows(q->found, q->query, count);
 	return SCREE_OK;
 }
 
-static scree_status read_list(scree_world* world, const char* function, const QueryRequest* questions, int* count)
+// Makes the list beside other threads. *count: number of results; if it exceeds SEARCHED_ANSWERS, there is no list.
+static scree_status search_rows(const scree_world* world, const char* function, Queries* q,
+                                const QueryRequest* questions, int* count)
 {
-	Queries* q = &world->queries;
+	TRY(reserve_rows(function, q, FIRST_ANSWERS));
+	for (;;)
+	{
+		int room = q->capacity < q->query_capacity ? q->capacity : q->query_capacity;
+		TRY(search_list(&world->pipeline, questions, q->found, q->query, room, count));
+		if (*count <= room)
+			break;
+		if (*count > SEARCHED_ANSWERS)
+			return SCREE_OK;
+		TRY(reserve_rows(function, q, *count));
+	}
+	if (*count <= SEARCHED_ANSWERS)
+		sort_rows(q->found, q->query, *count);
+	return SCREE_OK;
+}
+
+static scree_status read_list(scree_world* world, const char* function, Queries* q, const QueryRequest* questions,
+                              Reading* reading, int* count)
+{
 	TRY(GROW(function, q->first, q->first_capacity, questions->count + 1));
 	*count = 0;
-	if (questions->count > 0)
+	if (questions->count > 0 && !reading->alone)
+	{
+		TRY(search_rows(world, function, q, questions, count));
+		if (*count > SEARCHED_ANSWERS)
+			readers_alone(world, reading);
+	}
+	if (questions->count > 0 && reading->alone)
+	{
 		TRY(queries_list(&world->pipeline, questions, count));
-	if (*count > 0)
-		TRY(read_rows(world, function, *count));
+		if (*count > 0)
+			TRY(read_rows(world, function, q, *count));
+	}
 	int k = 0;
 	for (int n = 0; n <= questions->count; ++n)
 	{
@@ -69,16 +113,21 @@ static scree_status list(scree_world* world, const char* function, const QueryRe
 	TRY(check_pointer(function, "list", to));
 	if (questions->any)
 		return fail(SCREE_ERROR_INVALID, "%s: def.any is true, but a list has all", function);
-	TRY(world_upload(world));
+	Queries* q = readers_queries(world, function);
+	if (!q)
+		return SCREE_ERROR_OUT_OF_MEMORY;
+	Reading reading;
+	TRY(readers_begin(world, questions->count, &reading));
 	double begin = auto_clock();
 	int count;
-	scree_status status = read_list(world, function, questions, &count);
-	auto_count(world, begin);
+	scree_status status = read_list(world, function, q, questions, &reading, &count);
+	readers_count(world, begin);
+	readers_end(world, &reading);
 	TRY(world_note(world, status));
 	scree_query_results result = {.size = (uint32_t)size,
 	                              .count = count,
-	                              .results = (const scree_query_result*)(const void*)world->queries.found,
-	                              .first = world->queries.first};
+	                              .results = (const scree_query_result*)(const void*)q->found,
+	                              .first = q->first};
 	write_result(to, size, &result, sizeof result);
 	return SCREE_OK;
 }

@@ -6,7 +6,7 @@
 #include "world/device/auto.h"
 #include "world/failure.h"
 #include "world/record/api_calls.h"
-#include "world/upload/upload.h"
+#include "world/upload/readers.h"
 #include <stddef.h>
 
 // the device reads and writes the user's arrays directly
@@ -27,11 +27,22 @@ static scree_status answer(scree_world* world, const char* function, const Query
 	TRY(check_batch(function, "found", found, questions->count));
 	if (questions->count == 0)
 		return SCREE_OK;
-	TRY(world_upload(world));
+	Reading reading;
+	QueryResult* results = (QueryResult*)(void*)found;
+	TRY(readers_begin(world, questions->count, &reading));
 	double begin = auto_clock();
-	scree_status status = queries_answer(&world->pipeline, questions, (QueryResult*)(void*)found);
-	auto_count(world, begin);
+	scree_status status = reading.alone ? queries_answer(&world->pipeline, questions, results)
+	                                    : search_answer(&world->pipeline, questions, results);
+	readers_count(world, begin);
+	readers_end(world, &reading);
 	return world_note(world, status);
+}
+
+scree_status api_world_prepare_queries(scree_world* world)
+{
+	FLOAT_MODE_HERE;
+	TRY(world_check(world, "scree_world_prepare_queries"));
+	return readers_prepare(world);
 }
 
 static scree_status cast_rays(scree_world* world, const char* function, const char* name, const scree_query_def* def,

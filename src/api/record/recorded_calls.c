@@ -4,24 +4,34 @@
 #include "platform/fail_hook.h"
 #include "world/record/recorder.h"
 #include "world/recovery/recovery.h"
+#include "world/upload/readers.h"
 #include "world/world.h"
 
 #ifndef SCREE_SMALL // api_calls.h
 
-#define IS_WATCHED(world) (world && (world->recorders.first || world->recovery))
+#define IS_WATCHED(world) (world->recorders.first || world->recovery)
 
 #define WATCHED_CALL(name, enter, leave, ...)                                               \
 	static scree_status watched_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__)) \
 	{                                                                                       \
-		if (!IS_WATCHED(world))                                                             \
-			return api_##name(world, EACH(AS_NAME, __VA_ARGS__));                           \
-		const void* const addresses[] = {EACH(AS_ADDRESS, __VA_ARGS__)};                    \
 		scree_status status;                                                                \
+		if (!world)                                                                         \
+			return api_##name(world, EACH(AS_NAME, __VA_ARGS__));                           \
+		readers_enter(world);                                                               \
+		if (!IS_WATCHED(world))                                                             \
+		{                                                                                   \
+			status = api_##name(world, EACH(AS_NAME, __VA_ARGS__));                         \
+			readers_leave(world);                                                           \
+			return status;                                                                  \
+		}                                                                                   \
+		const void* const addresses[] = {EACH(AS_ADDRESS, __VA_ARGS__)};                    \
 		enter;                                                                              \
 		do                                                                                  \
 			status = api_##name(world, EACH(AS_NAME, __VA_ARGS__));                         \
 		while (world_recovers(world, "scree_" #name, status));                              \
-		return leave(world, RECORDED_##name, addresses, status);                            \
+		status = leave(world, RECORDED_##name, addresses, status);                          \
+		readers_leave(world);                                                               \
+		return status;                                                                      \
 	}                                                                                       \
 	scree_status scree_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__))          \
 	{                                                                                       \

@@ -50,6 +50,8 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 	if (def->opengl && (def->opengl->system < SCREE_WINDOW_EGL || def->opengl->system > SCREE_WINDOW_WGL))
 		return refuse(SCREE_ERROR_INVALID, at, ".opengl->system", "is %d, must be from %d to %d",
 		              (int)def->opengl->system, (int)SCREE_WINDOW_EGL, (int)SCREE_WINDOW_WGL);
+	if (def->tasks && (!def->tasks->enqueue || !def->tasks->finish))
+		return refuse(SCREE_ERROR_INVALID, at, ".tasks", "has no %s", def->tasks->enqueue ? "finish" : "enqueue");
 	if (def->threads < 0 || def->threads > 64)
 		return refuse(SCREE_ERROR_INVALID, at, ".threads", "is %d, must be from 0 to 64", def->threads);
 	if (def->lanes != 0 && def->lanes != 1 && def->lanes != 4 && def->lanes != 8 && def->lanes != 16)

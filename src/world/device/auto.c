@@ -224,7 +224,8 @@ void auto_open(scree_world* world, TestWorlds* test)
 	const char* named = getenv("SCREE_AUTO");
 	if (named)
 		snprintf(a->named, sizeof a->named, "%s", named);
-	a->alone = strcmp(a->named, "cpu") == 0;
+	// a thread that opens a GPU, or that of a driver, is none of the user's pool
+	a->alone = strcmp(a->named, "cpu") == 0 || world->def.tasks;
 	if (a->alone || !world->backend->distant)
 		return;
 	scree_world_def def = world->def;

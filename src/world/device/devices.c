@@ -45,6 +45,7 @@ scree_status device_open(const scree_world_def* def, TestWorlds* test, Backend**
 	                          .timings = def->timings,
 	                          .device_timeout = def->device_timeout,
 	                          .opengl = def->opengl,
+	                          .tasks = def->tasks,
 	                          .test = test};
 	if (strncmp(def->device, "opencl", 6) != 0)
 		return cpu_open(&options, backend);
@@ -58,6 +59,7 @@ scree_status device_open_gpu(const scree_world_def* def, TestWorlds* test, Backe
 	                          .device_timeout = def->device_timeout,
 	                          .gpu = true,
 	                          .opengl = def->opengl,
+	                          .tasks = def->tasks,
 	                          .test = test};
 	return opencl_open(&options, backend);
 }

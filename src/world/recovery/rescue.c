@@ -93,7 +93,7 @@ static void exchange(scree_world* world, scree_world* made)
 	EXCHANGE(ChunkWriter, world->snapshot, made->snapshot);
 	EXCHANGE(Recorders, world->recorders, made->recorders);
 	EXCHANGE(struct Recovery*, world->recovery, made->recovery);
-	EXCHANGE(Queries, world->queries, made->queries);
+	EXCHANGE(struct Readers*, world->readers, made->readers);
 	EXCHANGE(char*, world->reports.rows, made->reports.rows);
 	EXCHANGE(int, world->reports.rows_capacity, made->reports.rows_capacity);
 	EXCHANGE(char*, world->moved, made->moved);
@@ -101,6 +101,8 @@ static void exchange(scree_world* world, scree_world* made)
 	world->def.device = world->device;
 	if (world->def.opengl)
 		world->def.opengl = &world->opengl;
+	if (world->def.tasks)
+		world->def.tasks = &world->tasks;
 }
 
 scree_status world_rescue(scree_world* world, const char* function, const KeptState* kept)

@@ -182,6 +182,8 @@ static scree_status write_device(Restore* r, Backend* b)
 static void adopt(scree_world* world, scree_world* made)
 {
 	made->opengl = world->opengl;
+	made->tasks = world->tasks;
+	made->readers = world->readers;
 	made->auto_device = world->auto_device;
 	memcpy(made->shared, world->shared, sizeof made->shared);
 	memcpy(made->device, world->device, sizeof made->device);
@@ -199,6 +201,7 @@ static void adopt(scree_world* world, scree_world* made)
 	*world = *made;
 	*made = old;
 	made->backend = NULL;
+	made->readers = NULL;
 	made->auto_device = (AutoDevice){0};
 	made->snapshot = (ChunkWriter){0};
 	made->recorders = (Recorders){0};
