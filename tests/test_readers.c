@@ -4,6 +4,7 @@
 #include "support/make_bodies.h"
 #include "support/task_pool.h"
 #include "tools/common/random_numbers.h"
+#include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -52,7 +53,7 @@ static uint64_t hash_list(uint64_t hash, const scree_query_results* list, int qu
 
 static scree_vec random_vec(uint64_t* seed, float x, float y)
 {
-	float across = random_range(seed, 0.0f, x), up = random_range(seed, 0.0f, y);
+	float across = random_between(seed, 0.0f, x), up = random_between(seed, 0.0f, y);
 	return (scree_vec){across, up};
 }
 
@@ -131,11 +132,11 @@ static THREAD_RESULT reader_main(void* argument)
 
 static void fill(scree_world* world, scree_body* bodies)
 {
-	scree_attribute ground = box_attribute(world, 100.0f, 1.0f), box = box_attribute(world, 0.5f, 0.5f);
-	add_body(world, SCREE_STATIC, ground, 0.0f, -1.0f);
+	scree_attribute box = box_attribute(world, 0.5f, 0.5f);
+	add_floor(world);
 	for (int k = 0; k < BODIES; ++k)
-		bodies[k] =
-		    add_body(world, SCREE_DYNAMIC, box, 1.2f * (float)(k % COLUMNS), 0.6f + 1.2f * (float)(k / COLUMNS));
+		bodies[k] = add_body(world, SCREE_BODY_DYNAMIC, box, 1.2f * (float)(k % COLUMNS),
+		                     0.6f + 1.2f * (float)(k / COLUMNS), 0.0f);
 }
 
 static void change(scree_world* world, scree_body* bodies, int round)
@@ -143,7 +144,8 @@ static void change(scree_world* world, scree_body* bodies, int round)
 	if (round % 2)
 		OK(scree_body_destroy(world, bodies[round]));
 	if (round % 2)
-		bodies[round] = add_body(world, SCREE_DYNAMIC, box_attribute(world, 0.4f, 0.4f), 1.2f * (float)round, 50.0f);
+		bodies[round] =
+		    add_body(world, SCREE_BODY_DYNAMIC, box_attribute(world, 0.4f, 0.4f), 1.2f * (float)round, 50.0f, 0.0f);
 	OK(scree_body_set_pose(world, bodies[round + 1], (scree_pose){{1.2f * (float)round, 60.0f}, {1.0f, 0.0f}}));
 	OK(scree_body_set_velocity(world, bodies[round + 2], (scree_velocity){{1.0f, 2.0f}, 3.0f}));
 	if (round % 3 == 1)
@@ -241,7 +243,7 @@ static void test_prepare_queries(void** state)
 	assert_string_equal(scree_error(), "scree_world_prepare_queries: world is null");
 	scree_world* world = open_test_world(0.0f);
 	OK(scree_world_prepare_queries(world));
-	scree_body body = add_body(world, SCREE_DYNAMIC, box_attribute(world, 0.5f, 0.5f), 5.0f, 0.0f);
+	scree_body body = add_body(world, SCREE_BODY_DYNAMIC, box_attribute(world, 0.5f, 0.5f), 5.0f, 0.0f, 0.0f);
 	uint64_t hash = hash_of(world);
 	OK(scree_world_prepare_queries(world));
 	OK(scree_world_prepare_queries(world));

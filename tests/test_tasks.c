@@ -30,11 +30,11 @@ static int threads_of_process(void)
 
 static void fill(scree_world* world)
 {
-	scree_attribute ground = box_attribute(world, 200.0f, 1.0f), box = box_attribute(world, 0.5f, 0.5f);
-	add_body(world, SCREE_STATIC, ground, 0.0f, -1.0f);
+	scree_attribute box = box_attribute(world, 0.5f, 0.5f);
+	add_floor(world);
 	for (int k = 0; k < ROWS * COLUMNS; ++k)
-		add_body(world, SCREE_DYNAMIC, box, 1.1f * (float)(k % COLUMNS) + 0.1f * (float)(k / COLUMNS % 3),
-		         0.6f + 1.1f * (float)(k / COLUMNS));
+		add_body(world, SCREE_BODY_DYNAMIC, box, 1.1f * (float)(k % COLUMNS) + 0.1f * (float)(k / COLUMNS % 3),
+		         0.6f + 1.1f * (float)(k / COLUMNS), 0.0f);
 }
 
 static uint64_t hash_after_steps(const scree_world_def* def)
