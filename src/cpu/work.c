@@ -3,6 +3,7 @@
 //
 // Worker 0 reads the bound of each run, executes a small run alone, and shares larger runs with the other workers. Thus
 // only one worker reads a bound, at a time when no worker writes it, and a small world never wakes a thread.
+#include "backend/stage_zone.h"
 #include "cpu/cpu.h"
 #include "platform/processor.h"
 #include <limits.h>
@@ -144,7 +145,8 @@ static void count_time(Cpu* cpu, const Run* run)
 // Returns the number of blocks of a run: 1 if one worker executes it.
 static int count_blocks(const Cpu* cpu, int kernel, int items, const ActiveBlocks* active)
 {
-	int workers = cpu->backend.alone ? 1 : threads_workers(cpu->threads), least = smallest_shared(cpu, kernel), most = workers;
+	int workers = cpu->backend.alone ? 1 : threads_workers(cpu->threads), least = smallest_shared(cpu, kernel),
+	    most = workers;
 	if (workers == 1 || items < least)
 		return 1;
 	if (kernel >= KERNEL_COUNT)
@@ -189,6 +191,7 @@ static int begin_run(Cpu* cpu, const Run* run)
 void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
 {
 	bool shared = false;
+	StageZone zone = {0};
 	cpu->runs = runs;
 	cpu->grain = grain;
 	cpu->items = 0.0;
@@ -199,6 +202,8 @@ void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
 		int blocks = begin_run(cpu, run);
 		if (blocks == 0)
 			continue;
+		if (run->kernel_id < KERNEL_COUNT) // sorts and scans belong to the stage before them
+			stage_zone_begin(&zone, kernel_stages[run->kernel_id]);
 		if (blocks > 1 && !shared)
 		{
 			threads_begin(cpu->threads);
@@ -218,5 +223,6 @@ void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
 	}
 	if (shared)
 		threads_end(cpu->threads);
+	stage_zone_end(&zone);
 	float_mode_leave(found);
 }

@@ -19,6 +19,7 @@
 #include "platform/error.h"
 #include "platform/processor.h"
 #include "platform/system.h"
+#include "platform/zones.h"
 #include <stdatomic.h>
 #include <stdint.h>
 
@@ -207,6 +208,7 @@ static void serve_jobs(int index, void* argument)
 	Threads* t = argument;
 	int worker = index + 1, processed = 0;
 	bool on_caller = t->caller == &this_thread;
+	ZONE_BEGIN(zone, "scree: task");
 	FloatMode found = float_mode_enter();
 	unsigned long long turn = atomic_load_explicit(&t->turn, memory_order_acquire);
 	while (atomic_load_explicit(&t->awake, memory_order_acquire))
@@ -220,6 +222,7 @@ static void serve_jobs(int index, void* argument)
 		turn = atomic_load_explicit(&t->turn, memory_order_acquire);
 	}
 	float_mode_leave(found);
+	ZONE_END(zone);
 	atomic_fetch_add(&t->task_blocks, processed);
 	atomic_fetch_add(&t->returned, 1);
 }

@@ -2,6 +2,7 @@
 // lifetime.c -- creates, steps and destroys the world.
 #include "api/world/device_test.h"
 #include "platform/processor.h"
+#include "platform/zones.h"
 #include "world/create.h"
 #include "world/definition.h"
 #include "world/device/auto.h"
@@ -111,10 +112,8 @@ scree_status api_world_create(const scree_world_def* def, scree_world** world)
 	return status;
 }
 
-scree_status api_world_step(scree_world* world, float dt, int substeps)
+static scree_status step(scree_world* world, const char* function, float dt, int substeps)
 {
-	FLOAT_MODE_HERE;
-	const char* function = "scree_world_step";
 	TRY(world_check(world, function));
 	if (dt != 0.0f && !(dt >= SHORTEST_STEP && dt <= 1.0f))
 		return fail(SCREE_ERROR_INVALID, "%s: dt is %s, must be 0 or from %s to 1", function, decimal(dt).text,
@@ -187,6 +186,15 @@ scree_status api_world_step(scree_world* world, float dt, int substeps)
 		             "%s: %d bodies were frozen because their state was not finite; the first is body %d", function,
 		             c->nonfinite, c->first_nonfinite);
 	return SCREE_OK;
+}
+
+scree_status api_world_step(scree_world* world, float dt, int substeps)
+{
+	FLOAT_MODE_HERE;
+	ZONE_BEGIN(zone, "scree_world_step");
+	scree_status status = step(world, "scree_world_step", dt, substeps);
+	ZONE_END(zone);
+	return status;
 }
 
 void scree_world_destroy(scree_world* world)

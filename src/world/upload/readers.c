@@ -6,6 +6,7 @@
 // state, so that they see all writes of the thread that raised it.
 #include "world/upload/readers.h"
 #include "platform/system.h"
+#include "platform/zones.h"
 #include "step/step_queries.h"
 #include "world/device/auto.h"
 #include "world/failure.h"
@@ -136,8 +137,11 @@ static bool shares(const scree_world* world)
 
 static scree_status prepare(scree_world* world)
 {
+	ZONE_BEGIN(zone, "scree: prepare queries");
 	Names collidables = collidable_names(world), bodies = body_names(world);
-	return world_note(world, searches_prepare(&world->pipeline, &collidables, &bodies));
+	scree_status status = world_note(world, searches_prepare(&world->pipeline, &collidables, &bodies));
+	ZONE_END(zone);
+	return status;
 }
 
 // Raises the state, unless it is as high already. The user's pool is not used: its threads may wait for this lock.

@@ -2,6 +2,7 @@
 // upload.c -- uploads the user's changes: long sequences of rows first, then commands.
 #include "world/upload/upload.h"
 #include "platform/error.h"
+#include "platform/zones.h"
 #include "step/reserve.h"
 #include "world/chain/chains.h"
 #include "world/device/auto.h"
@@ -167,9 +168,11 @@ static scree_status upload(scree_world* world, bool steps)
 	world->pipeline.edited = true;
 	TRY(reports_fetch(world)); // reads the events first, because an upload may change the items to which they refer
 	world->pipeline.trees[0].seen = false;
+	ZONE_BEGIN(zone, "scree: upload");
 	double begin = auto_clock();
 	scree_status status = world_note(world, upload_all(world, steps));
 	auto_count(world, begin);
+	ZONE_END(zone);
 	return status;
 }
 
