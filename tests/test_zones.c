@@ -70,8 +70,8 @@ static void test_zones_of_a_step(void** state)
 		assert_int_equal(depth, 0);
 		assert_string_equal(begun[0], "scree_world_step");
 		assert_int_equal(place_of("scree: upload"), round == 0 ? 1 : -1);
-		for (int k = 0; k < 6; ++k)
-			assert_true(place_of(stages[k]) > 0);
+		for (int k = 0; k < 6; ++k) // in the second step no box changes, so the broad phase has no items
+			assert_true(place_of(stages[k]) > 0 || (round == 1 && k == 1));
 		assert_true(place_of("scree: finalize") > place_of("scree: solve"));
 	}
 	assert_int_equal(scree_world_step(world, -1.0f, 4), SCREE_ERROR_INVALID);
