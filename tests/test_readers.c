@@ -31,7 +31,7 @@ typedef struct
 {
 	scree_world* world;
 	const scree_body* bodies;
-	uint64_t seed; // of the queries
+	uint64_t seed; // start of the random numbers of its queries
 	bool reads_first;
 	Results* results;
 	atomic_int* waiting; // number of readers that have not begun

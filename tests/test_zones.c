@@ -9,11 +9,11 @@
 #define ZONES 256
 #define DEPTH 8
 
-static _Thread_local const char* open_zones[DEPTH]; // of this thread
+static _Thread_local const char* open_zones[DEPTH]; // zones of this thread that have not ended
 static _Thread_local int depth;
 static const char* begun[ZONES]; // zones of the thread of the test
 static int begun_count;
-static bool counts; // of that thread
+static bool counts; // true: zones of the thread of the test are listed
 static atomic_int task_zones, wrong;
 
 TracyCZoneCtx zone_begin(const char* name)
