@@ -87,7 +87,7 @@ function result(f) {
 
 const described = functions.map((f) => ({...f, ...describe(f), kind: result(f)}));
 
-const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row|difference|record_def|replay_info|draw_def|collidable_state|surface|clock)$/.test(s.name));
+const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row|difference|record_def|replay_info|draw_def|collidable_state|surface|clock|tasks)$/.test(s.name));
 const sizes = {contact_size: "contact", hit_size: "hit", visit_size: "visit", joint_size: "joint_event", body_size: "moved_body"};
 function member(struct, m) {
 	let type = code(m.type);
@@ -98,7 +98,7 @@ function member(struct, m) {
 	else if (m.pointer) {
 		const count = [`${m.name}_count`, `${m.name.replace(/s$/, "")}_count`, "count"].find((name) =>
 			struct.members.some((other) => other.name === name));
-		type = m.type === "scree_opengl" ? "p" : m.name === "first" ? "*i:first" : `*${type}:${count}`;
+		type = /^scree_(opengl|tasks)$/.test(m.type) ? "p" : m.name === "first" ? "*i:first" : `*${type}:${count}`;
 	}
 	else if (m.type === "uint64_t" && !/^(category|mask|user|user_\w+)$/.test(m.name))
 		type = "l";

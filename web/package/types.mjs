@@ -33,7 +33,7 @@ export function types({header, structs, described, enumerations, short}) {
 
 	for (const s of structs.filter((s) => !handles.has(s.name))) {
 		const counts = new Set(s.members.filter((m) => m.pointer).flatMap((m) => [`${m.name}_count`, `${m.name.replace(/s$/, "")}_count`, "count"]));
-		const shown = s.members.filter((m) => !/^(size|\w+_size|reserved|opengl)$/.test(m.name) && !counts.has(m.name));
+		const shown = s.members.filter((m) => !/^(size|\w+_size|reserved|opengl|tasks)$/.test(m.name) && !counts.has(m.name));
 		const of = (m, given) => {
 			const long = /^u?int64_t$/.test(m.type), big = long && /^(category|mask|user|user_\w+)$/.test(m.name);
 			if (m.type === "char")
