@@ -29,14 +29,12 @@
 	REPEATED(name, call, noted)       \
 	readers_leave(world);             \
 	return status;
-#define READING_CALL(name, noted, ...)                                                       \
-	static scree_status repeated_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__)) \
-	{                                                                                        \
-		ALONE_CALL(name, api_##name(world, EACH(AS_NAME, __VA_ARGS__)), noted)               \
-	}                                                                                        \
-	scree_status scree_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__))           \
-	{                                                                                        \
-		REPORTED("scree_" #name, repeated_##name(world, EACH(AS_NAME, __VA_ARGS__)))         \
+#define READING_CALL(name, noted, ...)                                                                    \
+	static scree_status repeated_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__)){             \
+	    ALONE_CALL(name, api_##name(world, EACH(AS_NAME, __VA_ARGS__)),                                   \
+	               noted)} scree_status scree_##name(scree_world* world, EACH(AS_PARAMETER, __VA_ARGS__)) \
+	{                                                                                                     \
+		REPORTED("scree_" #name, repeated_##name(world, EACH(AS_NAME, __VA_ARGS__)))                      \
 	}
 // A world on the CPU is not recovered, and several threads read it. On another device they do so one after another.
 #define READ_SHARED(name, ...)                                                               \
@@ -55,14 +53,11 @@
 	}
 #define READ(name, ...)       READING_CALL(name, false, __VA_ARGS__)
 #define READ_NOTED(name, ...) READING_CALL(name, true, __VA_ARGS__)
-#define READ_ALONE(name)                                        \
-	static scree_status repeated_##name(scree_world* world)     \
-	{                                                           \
-		ALONE_CALL(name, api_##name(world), false)              \
-	}                                                           \
-	scree_status scree_##name(scree_world* world)               \
-	{                                                           \
-		REPORTED("scree_" #name, repeated_##name(world))        \
+#define READ_ALONE(name)                                                                          \
+	static scree_status repeated_##name(scree_world* world){                                      \
+	    ALONE_CALL(name, api_##name(world), false)} scree_status scree_##name(scree_world* world) \
+	{                                                                                             \
+		REPORTED("scree_" #name, repeated_##name(world))                                          \
 	}
 #include "world/record/reading_calls.def"
 #endif
