@@ -2053,12 +2053,29 @@ typedef struct scree_mover
 // and so do kinematic bodies of any speed. A mover that cannot be pushed out, for instance between a lift and a
 // ceiling, is crushed: it stays at its place, at rest, until it overlaps nothing.
 //
-// Movers do not collide with each other, and push no body: give the body of `wall` an impulse yourself. Add gravity to
+// Movers do not collide with each other, and push no body (scree_movers_move_bodies does). Add gravity to
 // the velocity of movers in the air. On ground, a velocity component opposite to `up` is set to 0, and a component
 // along `up` is a jump. def may be null for the default. A call makes ten to twenty batches of queries for any
 // number of movers; the bits are the same on every device. On failure movers are unchanged.
 SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
                                          float dt);
+
+// Moves characters as scree_movers_move does, each with a kinematic body that follows it, and lets them push dynamic
+// bodies. Call it before the step: at the end of the step, the bodies are where their movers are. Movers on ground that
+// moves are an exception: their bodies go on with the ground.
+//
+// bodies: one per mover, each once; null for a mover without a body. The caller creates and destroys them, usually each
+// with a capsule as in the definition. Sensors report such a body, and dynamic bodies are stopped by it. The call sets
+// its target (scree_bodies_set_targets). It moves upright and at most at the speed of the mover: if its way is longer,
+// for instance up a step, it is first teleported. A disabled body is teleported only. A mover ignores its own body. If
+// `ignored` is another body, def must exclude the mover's own by category and mask, else the call is refused. Bodies of
+// other movers stop a mover as any kinematic body does, unless def excludes them.
+//
+// push_force: N, 0 to FLT_MAX: with at most this force, a mover pushes the dynamic bodies that it walks or jumps
+// against. They get impulses at the points that it touches, so that these points are at most as fast as the mover; the
+// mover goes on at their speed. Bodies under a mover feel no weight. On failure, movers and bodies are unchanged.
+SCREE_API scree_status scree_movers_move_bodies(scree_world* world, const scree_mover_def* def, scree_mover* movers,
+                                                const scree_body* bodies, int count, float push_force, float dt);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Fields

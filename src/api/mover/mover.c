@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mover.c -- moves movers (characters), capsules that walk, slide, climb steps and ride on their ground, by queries.
+#include "api/mover/mover.h"
 #include "api/mover/mover_slide.h"
 #include "api/mover/swept.h"
 #include "api/query/query_check.h"
@@ -171,38 +172,58 @@ static scree_status move(MoverCall* call, scree_mover* movers, scree_pose* poses
 	return SCREE_OK;
 }
 
-scree_status api_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count, float dt)
+scree_status mover_check(scree_world* world, const char* function, const scree_mover* movers, int count, float dt,
+                         const scree_mover_def* def, scree_mover_def* used)
 {
-	FLOAT_MODE_HERE;
-	const char* function = "scree_movers_move";
 	ArgumentPlace at = {function, "def", ALONE};
 	scree_mover_def local, standard = scree_mover_def_default();
 	TRY(world_check(world, function));
 	TRY(check_batch(function, "movers", movers, count));
 	def = def ? def : &standard;
 	TRY(check_definition(at, def, 0, &mover_definition));
-	def = definition_at(def, 0, &mover_definition, &local);
-	TRY(check_mover_def(at, def));
+	*used = *(const scree_mover_def*)definition_at(def, 0, &mover_definition, &local);
+	TRY(check_mover_def(at, used));
 	TRY(check_movers(world, function, movers, count));
-	TRY(check_real((ArgumentPlace){function, "dt", ALONE}, "", dt, 0.0f, 1.0f));
-	if (count == 0)
-		return SCREE_OK;
+	return check_real((ArgumentPlace){function, "dt", ALONE}, "", dt, 0.0f, 1.0f);
+}
+
+scree_query_def mover_query(const scree_mover_def* def)
+{
 	scree_query_def seen = scree_query_def_default();
 	seen.kinds = def->kinds;
 	seen.category = def->category;
 	seen.mask = def->mask;
-	seen.skip_inside = true;
 	seen.one_way = true;
+	return seen;
+}
+
+scree_status mover_shape(const scree_mover_def* def, scree_shape* shape)
+{
+	scree_vec half = add_scaled((scree_vec){0.0f, 0.0f}, 0.5f * def->length, def->up);
+	return def->length > 0.0f ? scree_shape_make_capsule((scree_vec){-half.x, -half.y}, half, def->radius, shape)
+	                          : scree_shape_make_circle((scree_vec){0.0f, 0.0f}, def->radius, shape);
+}
+
+float mover_steepest(const scree_mover_def* def) { return scree_rot_make(def->max_slope).c - 1e-4f; }
+
+scree_status api_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count, float dt)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_movers_move";
+	scree_mover_def used;
+	TRY(mover_check(world, function, movers, count, dt, def, &used));
+	if (count == 0)
+		return SCREE_OK;
+	scree_query_def seen = mover_query(&used);
+	seen.skip_inside = true;
 	MoverCall call = {.world = world,
-	                  .def = def,
+	                  .def = &used,
 	                  .seen = seen,
-	                  .along = {def->up.y, -def->up.x},
-	                  .steepest = scree_rot_make(def->max_slope).c - 1e-4f,
+	                  .along = {used.up.y, -used.up.x},
+	                  .steepest = mover_steepest(&used),
 	                  .count = count,
 	                  .movers = movers};
-	scree_vec half = add_scaled((scree_vec){0.0f, 0.0f}, 0.5f * def->length, def->up);
-	TRY(def->length > 0.0f ? scree_shape_make_capsule((scree_vec){-half.x, -half.y}, half, def->radius, &call.shape)
-	                       : scree_shape_make_circle((scree_vec){0.0f, 0.0f}, def->radius, &call.shape));
+	TRY(mover_shape(&used, &call.shape));
 	size_t n = (size_t)count, each = sizeof(MoverMotion) + sizeof(scree_probe) + sizeof(scree_ray) +
 	                                 2 * sizeof(scree_query_result) + 2 * sizeof(scree_pose) + sizeof(scree_body) +
 	                                 sizeof(int);
