@@ -4,6 +4,7 @@
 #include "support/bad_input.h"
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 static void rays(void** state)
 {
@@ -205,11 +206,53 @@ static void movers(void** state)
 #undef MOVER
 }
 
+static void mover_bodies(void** state)
+{
+	(void)state;
+	scree_body followers[2] = {body, second};
+	for (int k = 0; k < 2; ++k)
+		OK(scree_body_set_type(world, followers[k], SCREE_BODY_KINEMATIC));
+	OK(scree_world_get_hash(world, &before));
+	scree_mover list[2] = {{.position = {1, 2}}, {.position = {3, 4}}}, kept[2];
+	scree_mover_def def = scree_mover_def_default();
+	memcpy(kept, list, sizeof list);
+	INVALID(scree_movers_move_bodies, (NULL, NULL, list, followers, 2, 1, 0.1f), "world is null");
+	INVALID(scree_movers_move_bodies, (world, NULL, NULL, followers, 2, 1, 0.1f), "movers is null");
+	INVALID(scree_movers_move_bodies, (world, NULL, list, NULL, 2, 1, 0.1f), "bodies is null");
+	INVALID(scree_movers_move_bodies, (world, NULL, list, followers, -1, 1, 0.1f), "count is -1");
+	INVALID(scree_movers_move_bodies, (world, NULL, list, followers, 2, -1, 0.1f), "push_force is -1");
+	INVALID(scree_movers_move_bodies, (world, NULL, list, followers, 2, NAN, 0.1f), "push_force is nan");
+	INVALID(scree_movers_move_bodies, (world, NULL, list, followers, 2, INFINITY, 0.1f), "push_force is inf");
+	INVALID(scree_movers_move_bodies, (world, NULL, list, followers, 2, 1, NAN), "dt is nan");
+	INVALID(scree_movers_move_bodies, (world, NULL, list, followers, 2, 1, 2), "dt is 2");
+	def.radius = NAN;
+	INVALID(scree_movers_move_bodies, (world, &def, list, followers, 2, 1, 0.1f), "def.radius is nan");
+#define PAIR(status, handle, sentence)                                                                          \
+	REFUSED(scree_movers_move_bodies, (world, NULL, list, ((scree_body[2]){followers[0], handle}), 2, 1, 0.1f), \
+	        status, "bodies[1]" sentence)
+	PAIR(SCREE_ERROR_INVALID, followers[0], " (index");
+	PAIR(SCREE_ERROR_INVALID, fixed, " is static: only a kinematic body follows a mover");
+	PAIR(SCREE_ERROR_STALE, stale, "");
+	PAIR(SCREE_ERROR_STALE, ((scree_body){900, 1}), "");
+#undef PAIR
+	list[1].ignored = kept[1].ignored = fixed;
+	INVALID(scree_movers_move_bodies, (world, NULL, list, followers, 2, 1, 0.1f),
+	        "movers[1].ignored is another body than bodies[1]");
+	assert_memory_equal(list, kept, sizeof list);
+	OK(scree_movers_move_bodies(world, NULL, NULL, NULL, 0, 1, 0.1f));
+	// a definition that excludes the followers allows other ignored bodies
+	def = scree_mover_def_default();
+	def.kinds &= ~SCREE_QUERY_KINEMATIC;
+	OK(scree_movers_move_bodies(world, &def, list, followers, 2, 1, 0.1f));
+	assert_true(scree_body_equals(list[1].ignored, fixed));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(rays),    cmocka_unit_test(shapes), cmocka_unit_test(shapes_without_a_world),
-	    cmocka_unit_test(sensors), cmocka_unit_test(blasts), cmocka_unit_test(movers),
+	    cmocka_unit_test(rays),         cmocka_unit_test(shapes), cmocka_unit_test(shapes_without_a_world),
+	    cmocka_unit_test(sensors),      cmocka_unit_test(blasts), cmocka_unit_test(movers),
+	    cmocka_unit_test(mover_bodies),
 	};
 	return cmocka_run_group_tests(tests, set_up_bad_input, tear_down_bad_input);
 }

@@ -88,7 +88,7 @@ typedef struct // state of one mover while its pushes are computed
 {
 	scree_vec wish; // m/s: its velocity in the world, if nothing had stopped it
 	float left;     // N s: remaining impulse of the call
-	float slowest;  // m/s: least speed of the bodies that it pushes, at the touched point along `toward`
+	float slowest;  // m/s: least speed of the touched points along the direction of their push, which is `toward`
 	scree_vec toward;
 	bool stopped; // true: the wall that stopped the mover is one of these bodies
 } Pusher;
@@ -106,7 +106,7 @@ static Pusher begin(const PushCall* call, int k)
 static bool push(const Touches* t, int k, Pusher* pusher, scree_vec* impulse, scree_vec* point)
 {
 	const PushCall* call = t->call;
-	const scree_mover* after = call->after + t->touches[k].mover;
+	const scree_mover *before = call->before + t->touches[k].mover, *after = call->after + t->touches[k].mover;
 	int collidable = t->touches[k].collidable, body = t->touches[k].body;
 	const HostCollidable* host = call->world->host_collidables + collidable;
 	const HostBody* owner = call->world->host_bodies + body;
@@ -125,11 +125,17 @@ static bool push(const Touches* t, int k, Pusher* pusher, scree_vec* impulse, sc
 	scree_velocity* v = t->velocities + t->touches[k].first;
 	float arm = (point->x - center.x) * toward.y - (point->y - center.y) * toward.x;
 	float inv_mass = mass_inverse(owner), inv_inertia = mass_inverse_inertia(owner);
-	float speed = dot(v->linear, toward) + v->angular * arm, lacks = wish - speed;
-	float size = lacks > 0.0f ? fminf(lacks / (inv_mass + inv_inertia * arm * arm), pusher->left) : 0.0f;
-	if (speed < pusher->slowest)
+	float inverse = inv_mass + inv_inertia * arm * arm, goes = dot(v->linear, toward), speed = goes + v->angular * arm;
+	// neither the touched point nor the center of mass gets faster than the mover: the push of a turning crate would
+	// otherwise throw it
+	float size = fminf(fminf((wish - speed) / inverse, (wish - goes) / inv_mass), pusher->left);
+	size = size > 0.0f ? size : 0.0f;
+	// a crate that the mover pushed in the last call, too, shows by its speed how far the push moves it
+	bool again = scree_collidable_equals(before->wall, collidable_handle(call->world, collidable));
+	float follows = again ? speed : speed + size * inverse;
+	if (follows < pusher->slowest)
 	{
-		pusher->slowest = speed;
+		pusher->slowest = follows;
 		pusher->toward = toward;
 	}
 	pusher->stopped |= (int)after->wall.index - 1 == collidable;
@@ -140,8 +146,7 @@ static bool push(const Touches* t, int k, Pusher* pusher, scree_vec* impulse, sc
 	return size > 0.0f;
 }
 
-// Gives a mover the speed of the slowest body that it pushes. The body had this speed before the impulse, so a mover
-// that cannot move a crate has the speed 0.
+// Gives a mover the speed of the slowest body that it pushes, so that it loses its speed at a crate that does not move.
 static void follow(const Pusher* pusher, scree_mover* after)
 {
 	if (!pusher->stopped)
