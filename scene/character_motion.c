@@ -93,6 +93,8 @@ static scree_status walk(Characters* characters, scree_world* world, int k, uint
 		character.def.up = (scree_vec){-gravity.x / g, -gravity.y / g};
 	bool enabled = scree_body_is_enabled(world, mover->ignored);
 	steer(&character, gravity, scene->dt, down, fresh, mover);
+	if (character.push > 0.0f)
+		return scree_movers_move_bodies(world, &character.def, mover, &mover->ignored, 1, character.push, scene->dt);
 	scree_status status = scree_movers_move(world, &character.def, mover, 1, scene->dt);
 	// target of the body: the mover's position plus the motion of its ground during the next step
 	scree_pose pose = {{mover->position.x + mover->ground_velocity.x * scene->dt,

@@ -66,6 +66,7 @@ typedef struct // mover, the body that shows it, and its script
 	scree_mover_def def;
 	float speed; // m/s: walking speed
 	float jump;  // m/s: upward speed at the start of a jump
+	float push;  // N: maximum force with which the character pushes dynamic bodies
 	Cue* cues;   // in ascending order of their steps
 	int cue_count;
 } Character;

@@ -92,6 +92,23 @@ static void belts_carry(void** state)
 	close_text(&town);
 }
 
+// A character with the key "push" pushes a crate at its speed; without the key it stops at the crate. Its body follows.
+static void crates_are_pushed(void** state)
+{
+	(void)state;
+	for (int k = 0; k < 2; ++k)
+	{
+		ScenePlayer town = open_text(SCRATCH, k == 0 ? TOWN("") : TOWN(", \"push\": 500"));
+		scree_body crate = add_crate(town.world, SCREE_BODY_DYNAMIC, 3.0f, 0.5f);
+		after(&town, 120, KEY_BIT(right));
+		scree_vec at = after(&town, 60, KEY_BIT(right));
+		NEAR(at.x, position_of(town.world, crate).x - 0.81, 0.02 + (k == 0 ? 0.0 : 4.0 / 60.0));
+		NEAR(position_of(town.world, crate).x, k == 0 ? 3.0 : 12.3, 0.5);
+		assert_int_equal(town.characters.state.taken, k == 0 ? 1 : 3);
+		close_text(&town);
+	}
+}
+
 static void the_scene_is_played(void** state)
 {
 	(void)state;
@@ -108,10 +125,8 @@ static void the_scene_is_played(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(keys_move_it),
-	    cmocka_unit_test(scripts_hold_keys),
-	    cmocka_unit_test(belts_carry),
-	    cmocka_unit_test(the_scene_is_played),
+	    cmocka_unit_test(keys_move_it),      cmocka_unit_test(scripts_hold_keys),   cmocka_unit_test(belts_carry),
+	    cmocka_unit_test(crates_are_pushed), cmocka_unit_test(the_scene_is_played),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

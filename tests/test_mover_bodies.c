@@ -421,7 +421,7 @@ static void recordings_repeat_it(void** state)
 }
 
 // Movers of all sizes and forces walk among crates, also far away. Positions and speeds stay finite. A disabled body is
-// where its mover is, and pushes nothing.
+// at the place of its mover, and pushes nothing.
 static void hostile_movers(void** state)
 {
 	(void)state;

@@ -2033,7 +2033,7 @@ typedef struct scree_mover_def
 static inline scree_mover_def scree_mover_def_default(void);
 
 // A character. At first, set `position` and `velocity`, and all other members to zero. Between calls change only
-// `velocity` and `ignored`.
+// `position`, `velocity` and `ignored`.
 typedef struct scree_mover
 {
 	scree_vec position;        // m: center of the capsule
@@ -2053,10 +2053,10 @@ typedef struct scree_mover
 // and so do kinematic bodies of any speed. A mover that cannot be pushed out, for instance between a lift and a
 // ceiling, is crushed: it stays at its place, at rest, until it overlaps nothing.
 //
-// Movers do not collide with each other, and push no body (scree_movers_move_bodies does). Add gravity to
-// the velocity of movers in the air. On ground, a velocity component opposite to `up` is set to 0, and a component
-// along `up` is a jump. def may be null for the default. A call makes ten to twenty batches of queries for any
-// number of movers; the bits are the same on every device. On failure movers are unchanged.
+// Movers do not collide with each other, and push no body (scree_movers_move_bodies does). Add gravity to a velocity in
+// the air. On ground, a velocity component opposite to `up` is set to 0, and a component along `up` is a jump. def may
+// be null for the default. A call makes ten to twenty batches of queries for any number of movers; the bits are the
+// same on every device. On failure movers are unchanged.
 SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
                                          float dt);
 

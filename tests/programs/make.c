@@ -94,6 +94,24 @@ static void put_blast(Maker* m)
 	put(m, call);
 }
 
+static void put_walk(Maker* m)
+{
+	Call call = call_make(CALL_walk);
+	call_set(&call, "body", any_body(m));
+	call_set(&call, "x", bounded(m, 4.0f));
+	call_set(&call, "y", bounded(m, 3.0f) + 3.0f);
+	call_set(&call, "vx", bounded(m, 10.0f));
+	call_set(&call, "vy", bounded(m, 10.0f));
+	call_set(&call, "force", chance(m, 0.2) ? PICK(m, 0.0f, 1e-30f, 3e38f) : between(m, 1.0f, 3000.0f));
+	if (chance(m, 0.3))
+		call_set(&call, "radius", PICK(m, 0.0005f, 0.001f, 0.05f, 2.0f));
+	if (chance(m, 0.1))
+		call_set(&call, "dt", PICK(m, 0.0f, 1e-6f, 1.0f));
+	if (chance(m, 0.2))
+		call_set(&call, "mask", (float)(1 + below(m, 3)));
+	put(m, call);
+}
+
 static void put_any(Maker* m)
 {
 	if (m->sleeps && chance(m, 0.12))
@@ -136,7 +154,7 @@ static void put_any(Maker* m)
 	else if (k < 95)
 		chance(m, 0.5) ? put_gravity(m) : chance(m, 0.8) ? put_tuning(m) : put_hits(m);
 	else if (k < 96 && m->asks)
-		chance(m, 0.8) ? put_ask(m) : put_blast(m);
+		chance(m, 0.6) ? put_ask(m) : chance(m, 0.5) ? put_blast(m) : put_walk(m);
 	else if (k < 97)
 		put_alone(m, m->moves ? CALL_move : CALL_step, m->moves ? "back" : "substeps",
 		          m->moves ? (float)chance(m, 0.6) : 4.0f);

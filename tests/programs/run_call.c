@@ -347,6 +347,8 @@ scree_status run_call(const CallRun* r)
 		return run_move(r);
 	case CALL_blast:
 		return run_blast(r);
+	case CALL_walk:
+		return run_walk(r);
 	case CALL_ask:
 		return run_ask(r);
 	case CALL_read:

@@ -93,9 +93,10 @@ scree_status read_sleep(const CallRun* run, scree_body body, uint64_t* word);
 // read_drawing.c: mixes a drawing of the whole world into a word.
 scree_status read_drawing(const CallRun* run, uint64_t* word);
 
-// run_query.c: makes queries and blasts, and mixes their results into a word.
+// run_query.c: makes queries and blasts, moves movers, and mixes their results into a word.
 scree_status run_ask(const CallRun* run);
 scree_status run_blast(const CallRun* run);
+scree_status run_walk(const CallRun* run);
 
 // run_step.c: takes a step, and mixes its events into a word. mix_user and mix_contact mix user data of two objects and
 // the members of a contact. Structs with 64-bit members are mixed by members: their padding depends on the platform.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_query.c -- makes the queries and blasts of a program, which must have the same results in both worlds.
+// run_query.c -- makes the queries and blasts of a program and moves its movers, with the same results in both worlds.
 #include "programs/run_call.h"
 #include <math.h>
 
@@ -98,5 +98,18 @@ scree_status run_blast(const CallRun* r)
 	int count = 0;
 	scree_status status = scree_world_blast(r->world, &def, &count);
 	r->left->word = (uint64_t)count;
+	return status;
+}
+
+scree_status run_walk(const CallRun* r)
+{
+	scree_mover_def def = scree_mover_def_default();
+	def.radius = call_real(r, "radius");
+	def.mask = (uint64_t)call_whole(r, "mask");
+	scree_mover mover = {.position = call_vec(r, "x", "y"), .velocity = call_vec(r, "vx", "vy")};
+	scree_body body = call_body(r, call_whole(r, "body"));
+	scree_status status =
+	    scree_movers_move_bodies(r->world, &def, &mover, &body, 1, call_real(r, "force"), call_real(r, "dt"));
+	r->left->word = hash_bytes(HASH_BEGIN, &mover, sizeof mover);
 	return status;
 }

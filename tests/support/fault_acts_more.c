@@ -185,6 +185,16 @@ scree_status act_movers(FaultRun* s)
 	return scree_movers_move(s->world, NULL, movers, MOVERS, STEP);
 }
 
+// Moves movers; the slab, which is kinematic, follows the first of them.
+scree_status act_walk(FaultRun* s)
+{
+	scree_mover movers[MOVERS];
+	scree_body bodies[MOVERS] = {s->slab_body};
+	for (int k = 0; k < MOVERS; ++k)
+		movers[k] = (scree_mover){.position = {3.0f * (float)k, 1.0f}, .velocity = {3.0f, -2.0f}};
+	return scree_movers_move_bodies(s->world, NULL, movers, bodies, MOVERS, 100.0f, STEP);
+}
+
 scree_status act_blast(FaultRun* s)
 {
 	scree_blast_def def = scree_blast_def_default();

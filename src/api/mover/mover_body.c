@@ -33,7 +33,7 @@ typedef struct // the bodies that follow the movers of a call, or the ground of 
 	scree_vec* ground; // m/s: velocity of the ground of each mover in the next step
 	int* of;           // movers of the bodies in `read`
 	scree_body *teleported, *moved;
-	scree_pose *starts, *targets; // of the teleported and of the moved bodies
+	scree_pose *starts, *targets; // poses of the teleported bodies; targets of the moved ones
 	int teleports, targeted;
 } BodyCall;
 
