@@ -16,6 +16,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/joints.h"
 #include "world/objects/targets.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 #include <math.h>
@@ -214,8 +215,8 @@ static scree_status move(BodyCall* call, scree_mover* movers, const scree_mover_
 	return status;
 }
 
-scree_status scree_movers_move_bodies(scree_world* world, const scree_mover_def* def, scree_mover* movers,
-                                      const scree_body* bodies, int count, float push_force, float dt)
+scree_status api_movers_move_bodies(scree_world* world, const scree_mover_def* def, scree_mover* movers,
+                                    const scree_body* bodies, int count, float push_force, float dt)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_movers_move_bodies";

@@ -8,7 +8,6 @@
 #include "api/mover/mover_slide.h"
 #include "world/objects/handles.h"
 #include "world/objects/mass.h"
-#include "world/own_queries.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 #include <math.h>
@@ -254,9 +253,9 @@ static scree_status find_and_push(const PushCall* call, scree_probe* probes, int
 	TRY(mover_shape(call->def, &shape));
 	shape.radius += TOUCHES * call->def->skin;
 	scree_query_results list;
-	own_queries_swap(call->world);
+	call->world->makes_queries = true;
 	scree_status status = scree_world_list_shapes(call->world, &query, &shape, probes, asked, &list);
-	own_queries_swap(call->world);
+	call->world->makes_queries = false;
 	return status == SCREE_OK && list.count > 0 ? push_list(call, &list, of, pushes) : status;
 }
 
