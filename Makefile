@@ -21,7 +21,7 @@ help: ## print this list
 build: ## build the library and the command line: build/libscree.a, build/libscree.so, build/scree
 	@tools/packages.sh $(build_packages)
 	@cmake --preset release --log-level=NOTICE $(build_options)
-	@cmake --build --preset release
+	@cmake --build --preset release --target scree_products
 
 run: build ## simulate a pile of mixed shapes and draw its end
 	@build/scree run pile --picture build/pile.png
@@ -94,6 +94,7 @@ format: ## format every C file
 	@git ls-files --cached --others --exclude-standard '*.c' '*.h' | xargs clang-format -i
 
 check: packages build ## run the tests that take seconds: documents, format, units; no scenes, no other presets
+	@cmake --build --preset release
 	@ctest --preset release --label-exclude parity --parallel $(cores)
 
 release: ## make tarballs of sources, page and npm package of this version in build/release, with SHA256SUMS

@@ -34,11 +34,17 @@ function(scree_flags target)
 		set(anywhere OFF) # WebAssembly is linked into one module
 	endif()
 	set_target_properties(${target} PROPERTIES C_STANDARD 17 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
-		POSITION_INDEPENDENT_CODE ${anywhere} C_VISIBILITY_PRESET hidden)
+		POSITION_INDEPENDENT_CODE ${anywhere} C_VISIBILITY_PRESET hidden UNITY_BUILD OFF)
 	target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src
 		${PROJECT_SOURCE_DIR})
-	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS} -Wall -Wextra -Wshadow
-		$<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes>)
+	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS})
+	if(top)
+		target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes>)
+	else()
+		# the warnings of a parent project, and its -Werror and -pedantic-errors, are for its own sources
+		target_compile_options(${target} PRIVATE -w -Wno-pedantic)
+		set_target_properties(${target} PROPERTIES C_CLANG_TIDY "" C_CPPCHECK "" C_INCLUDE_WHAT_YOU_USE "")
+	endif()
 	# replaces the folder of the sources in file names of assertions, so that a program does not depend on the folder of
 	# the build
 	target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
