@@ -75,7 +75,7 @@ parent()
 
 parent shared gcc "-Wall -Wextra -Werror -Wconversion -Wpedantic -ffast-math" -DBUILD_SHARED_LIBS=ON -DCMAKE_UNITY_BUILD=ON
 [ "$SCREE_QUICK" != 1 ] || exit 0
-parent warnings clang "-Weverything -Wno-unknown-warning-option -Wno-error -ffast-math" -DCMAKE_C_FLAGS=-Werror
+parent warnings clang "-Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror" -DCMAKE_C_FLAGS=-Weverything
 parent static gcc "-pedantic-errors -Wall -Wextra -Wconversion -Werror" -DBUILD_TESTING=OFF
 parent sanitized gcc "-fsanitize=address,undefined"
 parent interprocedural gcc "-O2" -DCMAKE_INTERPROCEDURAL_OPTIMIZATION=ON
