@@ -1,6 +1,7 @@
 # Makefile -- short commands for users. Each target installs the Debian packages that it lacks, then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip gallery web reference test test-full test-platforms fuzz bench build packages lists format check release clean
+.PHONY: help run install uninstall one-file view clip gallery web reference test test-full test-platforms fuzz bench build packages lists format check \
+	release clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -26,6 +27,16 @@ build: ## build the library and the command line: build/libscree.a, build/libscr
 run: build ## simulate a pile of mixed shapes and draw its end
 	@build/scree run pile --picture build/pile.png
 	@echo 'The picture is build/pile.png'
+
+install: build ## install library, command line and manual page (PREFIX=/usr/local)
+	@cmake --install build --prefix $(or $(PREFIX),/usr/local)
+
+uninstall: ## remove what make install has installed
+	@cmake --build build --target uninstall
+
+one-file: ## write the CPU library as one file, build/one_file/scree_all.c, with its header
+	@tools/one_file.sh build/one_file
+	@echo 'The library is build/one_file/scree_all.c, its header build/one_file/scree/scree.h'
 
 view: build_packages += $(view_packages)
 view: build ## open a window on a scene (SCENE=pile)

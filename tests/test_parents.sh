@@ -59,11 +59,12 @@ expected=$(hash_of "$scratch/expected")
 # parent NAME COMPILER FLAGS OPTION...: the project builds, and its program prints the expected hash
 parent()
 {
-	local name=$1 compiler=$2 flags=$3 build=$scratch/$1 found
+	local name=$1 compiler=$2 flags=$3 build=$scratch/$1 found cxx=clang++
 	shift 3
+	[ "$compiler" = clang ] || cxx=g++
 	command -v "$compiler" >/dev/null || { echo "$name: left out, because there is no $compiler"; return; }
 	FLAGS=$flags cmake -S "$scratch" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$compiler" \
-		-DCMAKE_CXX_COMPILER="${compiler/%cc/++}" -DSCREE_LANES="1;4" "$@" >"$build.log" 2>&1 &&
+		-DCMAKE_CXX_COMPILER=$cxx -DSCREE_LANES="1;4" "$@" >"$build.log" 2>&1 &&
 		cmake --build "$build" --target hello >>"$build.log" 2>&1 || { tail -n 30 "$build.log"; complain "$name does not build"; }
 	grep -q 'warning:' "$build.log" && complain "$name: $(grep -m1 'warning:' "$build.log")"
 	found=$(hash_of "$build/hello")

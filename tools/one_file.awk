@@ -16,7 +16,7 @@ function read(path, line, n)
 	{
 		text[path, ++n] = line
 		if (sub(/^#[ ]*undef +/, "", line))
-			undefined[line] = 1
+			undefined[line] = 1 # by the file that uses it
 	}
 	close(path)
 	if (n == 0)
@@ -353,10 +353,25 @@ function scan_header(path, i, k, n, names, line)
 	}
 }
 
+# Notes the macros of a list, which keep their names, because the including file defines them.
+function scan_list(path, i, name)
+{
+	read(path)
+	for (i = 1; i <= length_of[path]; ++i)
+		if (match(text[path, i], /^[ \t]*[A-Z_]+\(/))
+		{
+			name = text[path, i]
+			gsub(/^[ \t]+|\(.*/, "", name)
+			undefined[name] = 1
+		}
+}
+
 function scan_included(line, names)
 {
 	split(line, names, "\"")
-	if (names[2] ~ /\.h$/ && names[2] != "scree/scree.h")
+	if (names[2] ~ /\.def$/)
+		scan_list(resolve(names[2]))
+	else if (names[2] != "scree/scree.h")
 		scan_header(resolve(names[2]))
 }
 
@@ -443,7 +458,7 @@ function print_head()
 	print "#if SCREE_LANES < 1 || SCREE_LANES > 29 || SCREE_LANES & 2 || !(SCREE_LANES & 1)"
 	print "#error \"scree: SCREE_LANES must be 1, or a sum of 1 and some of 4, 8 and 16\"\n#endif"
 	print "#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored \"-Wunused-function\"\n#pragma GCC diagnostic ignored \"-Wunused-variable\"\n#pragma GCC diagnostic ignored \"-Wunused-const-variable\""
-	print "#ifndef __clang__\n#pragma GCC diagnostic ignored \"-Wpsabi\"\n#endif"
+	print "#ifndef __clang__\n#pragma GCC diagnostic ignored \"-Wpsabi\"\n#pragma GCC diagnostic ignored \"-Wmaybe-uninitialized\"\n#endif"
 }
 
 BEGIN {
