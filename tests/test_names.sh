@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_names.sh -- builds the static library in two ways, and checks that a program may define every name that does not
+# test_names.sh -- builds the static library in three ways, and checks that a program may define every name that does not
 # begin with scree_.
 set -euo pipefail
 scratch=$SCREE_BUILD/names_test
@@ -18,6 +18,7 @@ int grow(void) { return 3; }
 int finish(void) { return 4; }
 int world_create(void) { return 5; }
 int opencl = 6;
+float vec_distance(scree_vec a, scree_vec b) { return a.x - b.x; }
 int main(void)
 {
 	scree_world_def def = scree_world_def_default();
@@ -50,3 +51,4 @@ check()
 
 check debug clang "-O0" -DCMAKE_BUILD_TYPE=Debug
 check lto gcc "-O0 -flto" -DCMAKE_BUILD_TYPE=None -DCMAKE_INTERPROCEDURAL_OPTIMIZATION=ON
+check lto_clang clang "-O0 -flto" -DCMAKE_BUILD_TYPE=None

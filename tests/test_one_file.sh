@@ -35,7 +35,7 @@ refused 'scree: -ffast-math' gcc -Ofast -fmax-errors=1
 # hash_of COMPILER FLAG...: builds hello with scree_all.c, and prints its hash
 hash_of()
 {
-	"$@" -I. -c scree_all.c -o scree_all.o
+	"$@" -I. -c scree_all.c -o scree_all.o || complain "$*: does not compile"
 	local strangers
 	strangers=$(nm -g --defined-only scree_all.o | awk '{ print $3 }' | grep -v '^scree_' || true)
 	[ -z "$strangers" ] || complain "$*: scree_all.o has the global names" $strangers

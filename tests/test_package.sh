@@ -62,3 +62,29 @@ fi
 if [ -x "$prefix/bin/scree" ]; then
 	"$prefix/bin/scree" scenes --names | grep -qx pile
 fi
+
+# licence, manual page and completion are installed, and the address in scree.pc
+for file in share/doc/scree/LICENSE share/doc/scree/README.md share/bash-completion/completions/scree share/man/man1/scree.1; do
+	[ -s "$prefix/$file" ] || { echo "$file is not installed"; exit 1; }
+done
+pkg-config --print-variables scree >/dev/null
+grep -q '^URL: .' "$libdir/pkgconfig/scree.pc"
+grep -q '^\.SS scree replay' "$prefix/share/man/man1/scree.1"
+completed=$(PATH=$prefix/bin:$PATH bash -c '. "$1"; COMP_WORDS=(scree run pyr); COMP_CWORD=2; _scree; echo "${COMPREPLY[*]}"' sh \
+	"$prefix/share/bash-completion/completions/scree")
+[[ " $completed " == *" pyramid "* ]] || { echo "scree run pyr is completed to: $completed"; exit 1; }
+
+# the target uninstall removes every file
+cmake --install "$SCREE_BUILD" --prefix "$scratch/second" >>"$scratch/log"
+cmake --build "$SCREE_BUILD" --target uninstall >>"$scratch/log"
+left=$(find "$scratch/second" ! -type d)
+[ -z "$left" ] || { echo "uninstall leaves:" $left; exit 1; }
+
+# packages have the files of an installation
+if command -v cpack >/dev/null; then
+	(cd "$SCREE_BUILD" && cpack -G TGZ -B "$scratch/packages" >>"$scratch/log")
+	tar -tzf "$scratch"/packages/scree-*.tar.gz >"$scratch/list"
+	for file in "lib.*libscree.a" include/scree/scree.h share/doc/scree/LICENSE; do
+		grep -q "/$file\$" "$scratch/list" || { echo "the package lacks $file"; exit 1; }
+	done
+fi

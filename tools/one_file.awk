@@ -449,7 +449,7 @@ function unit(path, name, k)
 	print "#endif"
 }
 
-function print_head()
+function print_head(k, warnings)
 {
 	print "//\n// scree_all.c -- the CPU library of Scree as one file, written by tools/one_file.sh. docs/building.md describes its options."
 	print "#define _GNU_SOURCE\n#define SCREE_BUILDING\n#define SCREE_NO_OPENCL"
@@ -457,8 +457,12 @@ function print_head()
 	print "#ifndef SCREE_LANES\n#ifdef __x86_64__\n#define SCREE_LANES 29\n#else\n#define SCREE_LANES 5\n#endif\n#endif"
 	print "#if SCREE_LANES < 1 || SCREE_LANES > 29 || SCREE_LANES & 2 || !(SCREE_LANES & 1)"
 	print "#error \"scree: SCREE_LANES must be 1, or a sum of 1 and some of 4, 8 and 16\"\n#endif"
-	print "#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored \"-Wunused-function\"\n#pragma GCC diagnostic ignored \"-Wunused-variable\"\n#pragma GCC diagnostic ignored \"-Wunused-const-variable\""
-	print "#ifndef __clang__\n#pragma GCC diagnostic ignored \"-Wpsabi\"\n#pragma GCC diagnostic ignored \"-Wmaybe-uninitialized\"\n#endif"
+	print "#pragma GCC diagnostic ignored \"-Wunused-function\"\n#pragma GCC diagnostic ignored \"-Wunused-variable\"\n#pragma GCC diagnostic ignored \"-Wunused-const-variable\""
+	print "#ifndef __clang__"
+	# warnings of gcc that depend on what it inlines are for the separate files
+	for (k = split("psabi maybe-uninitialized format-truncation stringop-overflow stringop-overread array-bounds", warnings, " "); k > 0; --k)
+		print "#pragma GCC diagnostic ignored \"-W" warnings[k] "\""
+	print "#endif"
 }
 
 BEGIN {
@@ -492,6 +496,5 @@ BEGIN {
 	for (k = 1; k <= count; ++k)
 		if (is_unit(files[k]))
 			unit(files[k])
-	print "#pragma GCC diagnostic pop"
 	exit failed
 }

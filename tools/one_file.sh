@@ -4,10 +4,11 @@
 #
 # usage: tools/one_file.sh FOLDER
 set -eu
-cd "$(dirname "$0")/.."
-. tools/usage.sh
+. "$(dirname "$0")/usage.sh"
 folder=${1:?is the folder of the output}
 mkdir -p "$folder/scree"
+folder=$(cd "$folder" && pwd)
+cd "$(dirname "$0")/.."
 
 host=$(find src -name '*.c' | LC_ALL=C sort | grep -v -e '^src/opencl/' -e '/one_thread\.c$' -e '^src/cpu/lanes[0-9]*\.c$' -e '/scalar_avx2\.c$')
 {

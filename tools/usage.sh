@@ -4,7 +4,7 @@
 for argument in "$@"; do
 	case $argument in
 	-h | --help)
-		sed -n '/^# [a-z]*\.sh -- /,/^[^#]/s/^# \{0,1\}//p' "$0"
+		sed -n '/^# [a-z_]*\.sh -- /,/^[^#]/s/^# \{0,1\}//p' "$0"
 		exit 0
 		;;
 	-*)
