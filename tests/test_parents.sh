@@ -78,9 +78,9 @@ parent shared gcc "-Wall -Wextra -Werror -Wconversion -Wpedantic -ffast-math" -D
 [ "$SCREE_QUICK" != 1 ] || exit 0
 parent warnings clang "-Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror" -DCMAKE_C_FLAGS=-Weverything
 parent static gcc "-pedantic-errors -Wall -Wextra -Wconversion -Werror" -DBUILD_TESTING=OFF
-parent sanitized gcc "-fsanitize=address,undefined"
+parent sanitized gcc "-O1 -fsanitize=address,undefined"
 parent interprocedural gcc "-O2" -DCMAKE_INTERPROCEDURAL_OPTIMIZATION=ON
-parent lto_clang clang "-flto -O2"
+parent lto_clang clang "-flto -O1"
 parent debug gcc "-O0 -g -ftrapv -funsigned-char"
 parent unity gcc "-Os -ffunction-sections -fdata-sections -fshort-enums" -DCMAKE_UNITY_BUILD=ON
 parent contract gcc "-march=native -ffp-contract=fast -funsafe-math-optimizations"
