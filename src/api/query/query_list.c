@@ -85,13 +85,13 @@ static scree_status read_list(scree_world* world, const char* function, Queries*
 {
 	TRY(GROW(function, q->first, q->first_capacity, questions->count + 1));
 	*count = 0;
-	if (questions->count > 0 && !reading->alone)
+	if (questions->count > 0 && !reading_is_alone(reading))
 	{
 		TRY(search_rows(world, function, q, questions, count));
 		if (*count > SEARCHED_ANSWERS)
 			readers_alone(world, reading);
 	}
-	if (questions->count > 0 && reading->alone)
+	if (questions->count > 0 && reading_is_alone(reading))
 	{
 		TRY(queries_list(&world->pipeline, questions, count));
 		if (*count > 0)

@@ -31,8 +31,8 @@ static scree_status answer(scree_world* world, const char* function, const Query
 	QueryResult* results = (QueryResult*)(void*)found;
 	TRY(readers_begin(world, questions->count, &reading));
 	double begin = auto_clock();
-	scree_status status = reading.alone ? queries_answer(&world->pipeline, questions, results)
-	                                    : search_answer(&world->pipeline, questions, results);
+	scree_status status = reading_is_alone(&reading) ? queries_answer(&world->pipeline, questions, results)
+	                                                 : search_answer(&world->pipeline, questions, results);
 	readers_count(world, begin);
 	readers_end(world, &reading);
 	return world_note(world, status);

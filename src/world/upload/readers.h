@@ -30,6 +30,17 @@ typedef struct // a query in progress
 	bool locked; // true: readers_end unlocks the readers
 } Reading;
 
+// Returns Reading.alone. In a build for WebAssembly every query is alone (api_calls.h), and the code of searches is left out.
+static inline bool reading_is_alone(const Reading* reading)
+{
+#ifdef SCREE_SMALL
+	(void)reading;
+	return true;
+#else
+	return reading->alone;
+#endif
+}
+
 // Uploads all changes and prepares the boxes for queries, before `count` queries. Such a call ends with readers_end, if it does not
 // fail. readers_alone gives it the whole world, if it lacks that.
 scree_status readers_begin(scree_world* world, int count, Reading* reading);
