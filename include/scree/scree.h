@@ -8,7 +8,8 @@
 // collidable is an attribute placed on a body; other engines call it a shape (Box2D v3), a fixture (Box2D v2), a geom
 // (MuJoCo) or a collider (Unity, Rapier).
 //
-// Units are metres, kilograms, seconds and radians. Positive angles are counter-clockwise.
+// Units are metres, kilograms, seconds and radians. Positive angles are counter-clockwise. A world can have another unit of
+// length (scree_world_def.length_unit): "m" then stands for that unit, also in N (kg m/s^2), in results and in definitions.
 //
 // Threads. Only one thread at a time may use a world, except for the functions listed at scree_world_prepare_queries.
 // Different threads may use different worlds at the same time. The threads of an engine can do the work of a world in
@@ -321,6 +322,13 @@ typedef struct scree_world_def
 	// number of threads that work at the same time, the caller included, and device "auto" is "cpu". The struct is copied;
 	// the pool must outlive the world. Both functions must be set. null (default): the library starts threads.
 	const scree_tasks* tasks;
+	// Units of length of the world per metre, 1e-3 to 1e6: 100 if 100 pixels are a metre. 0 (default) and 1: metres. All lengths of
+	// the world are then in this unit: positions, sizes, speeds, gravity; forces in kg units/s^2, inertias in kg units^2, densities
+	// in kg/units^2, and ranges too: sizes from 1 mm to SCREE_MAX_COORDINATE metres. Tolerances scale (scree_units), so the motion
+	// is the one in metres, up to rounding; with a power of two it has the same bits. Thresholds and limits stay in metres, so their
+	// defaults hold: contact_push_speed, restitution_threshold, max_speed, hit_speed, hit_impulse, sleep_threshold, also in
+	// scree_tuning and scree_body_def. Shapes are made for metres: see scree_shape_scale. docs/units.md
+	float length_unit;
 } scree_world_def;
 
 // Returns a definition with the default values.
@@ -362,6 +370,22 @@ SCREE_API scree_status scree_world_step(scree_world* world, float dt, int subste
 
 // Sets the gravity, m/s^2; its components must be finite.
 SCREE_API scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity);
+// Returns scree_world_def.length_unit, 1 for metres; 0 if world is null. scree_world_restore and scree_world_load bring the unit of
+// their state.
+SCREE_API float scree_world_get_length_unit(const scree_world* world);
+
+typedef struct scree_constant // a constant of the library that contains a length
+{
+	const char* name;    // a constant string, as in the source: "SPECULATIVE_DISTANCE"
+	float value;         // in metres: a world with length_unit u acts as if it were value times u to the power `power`
+	int power;           // power of length
+	const char* unit;    // "m", "m/s", "m^2", ..., a constant string
+	const char* meaning; // a constant string
+} scree_constant;
+
+// Writes up to capacity constants with a length, and sets count to their number.
+static inline scree_status scree_units(scree_constant* constants, int capacity, int* count);
+
 // Returns the gravity, m/s^2.
 SCREE_API scree_status scree_world_get_gravity(const scree_world* world, scree_vec* gravity);
 
@@ -689,6 +713,11 @@ SCREE_API scree_status scree_shape_make_hull(const scree_vec* points, int count,
 // Transforms a shape: rotates it by pose.rotation, then translates it by pose.position. The shape may be changed in
 // place: transformed may be equal to shape.
 SCREE_API scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* transformed);
+
+// Multiplies all lengths of a shape by a factor, 1e-9 to 1e9. The sizes of the result are not checked: a shape for a world with
+// length_unit u may be made in metres and multiplied by u, with the ranges of metres. scaled may be equal to shape. Fails with
+// SCREE_ERROR_INVALID if the shape is not valid in metres, or a result is not finite.
+SCREE_API scree_status scree_shape_scale(const scree_shape* shape, float factor, scree_shape* scaled);
 
 typedef struct scree_attribute_def
 {
@@ -2449,6 +2478,12 @@ static inline scree_world_def scree_world_def_default(void)
 	scree_world_def def;
 	scree_world_def_default_sized(&def, sizeof def);
 	return def;
+}
+
+SCREE_API scree_status scree_units_sized(scree_constant* constants, size_t size, int capacity, int* count);
+static inline scree_status scree_units(scree_constant* constants, int capacity, int* count)
+{
+	return scree_units_sized(constants, sizeof *constants, capacity, count);
 }
 
 SCREE_API void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size);

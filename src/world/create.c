@@ -46,6 +46,9 @@ void world_destroy(scree_world* world)
 	exclusions_close(world);
 	sensors_close(world);
 	scree_release(world->moved);
+	for (int k = 0; k < world->unit_shapes.capacity; ++k)
+		scree_release(world->unit_shapes.shapes[k]);
+	scree_release(world->unit_shapes.shapes);
 	scree_release(world->touched.keys);
 	readers_close(world);
 	scree_release(world->attributes);

@@ -274,9 +274,19 @@ typedef struct
 	SaveList* list;         // null before the first save
 } Saves;
 
+typedef struct // the shapes of attributes in the unit of the world, made when a call lists them
+{
+	scree_shape** shapes; // per slot of an attribute; a shape stays where it is
+	int capacity;
+} UnitShapes;
+
+// Range of scree_world_def.length_unit, from kilometres to micrometres.
+#define LEAST_LENGTH_UNIT 1e-3f
+#define MOST_LENGTH_UNIT  1e6f
+
 struct scree_world
 {
-	scree_world_def def;
+	scree_world_def def; // gravity in metres; length_unit is 0 for metres
 	scree_opengl opengl; // copy that def.opengl points to; unused when def.opengl is null
 	scree_tasks tasks;   // copy that def.tasks points to; unused when def.tasks is null
 	Backend* backend;
@@ -327,6 +337,7 @@ struct scree_world
 	Recorders recorders;
 	Saves saves;
 	struct Recovery* recovery; // null: a failure of the device breaks the world
+	UnitShapes unit_shapes;    // unused in metres
 	char device[160];          // name of the present device
 	void* scratch;             // temporary memory for one call; see world_scratch
 	size_t scratch_bytes;

@@ -59,7 +59,7 @@ scree_status api_world_set_box_awake(scree_world* world, scree_box box, bool awa
 	TRY(world_check(world, function));
 	TRY(check_box(function, box));
 	world->makes_queries = true;
-	scree_status status = scree_world_overlap_box(world, box, &list);
+	scree_status status = api_world_overlap_box_sized(world, box, &list, sizeof list);
 	world->makes_queries = false;
 	TRY(status);
 	TRY(edits_reserve(world, function, 0, 0, list.count));

@@ -117,6 +117,32 @@ scree_status api_shape_make_hull(const scree_vec* points, int count, float radiu
 	return SCREE_OK;
 }
 
+static void scale_vecs(scree_vec* v, int count, float factor)
+{
+	for (int i = 0; i < count; ++i)
+		v[i] = (scree_vec){v[i].x * factor, v[i].y * factor};
+}
+
+scree_status api_shape_scale(const scree_shape* shape, float factor, scree_shape* scaled)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_shape_scale";
+	TRY(check_pointer(function, "shape", shape));
+	TRY(check_pointer(function, "scaled", scaled));
+	TRY(check_real((ArgumentPlace){function, "factor", ALONE}, "", factor, 1e-9f, 1e9f));
+	scree_shape made = *shape;
+	TRY(shape_finish((ArgumentPlace){function, "shape", ALONE}, &made));
+	scale_vecs(made.vertices, made.count, factor);
+	scale_vecs(&made.centroid, 1, factor);
+	made.radius *= factor;
+	made.reach *= factor;
+	made.area *= factor * factor;
+	made.inertia *= factor * factor * factor * factor;
+	TRY(check_real((ArgumentPlace){function, "scaled", ALONE}, ".inertia", made.inertia, 0.0f, FLT_MAX));
+	*scaled = made;
+	return SCREE_OK;
+}
+
 scree_status api_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* transformed)
 {
 	FLOAT_MODE_HERE;

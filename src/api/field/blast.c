@@ -67,7 +67,7 @@ static scree_status push(scree_world* world, const char* function, const scree_b
 	int pushed = 0;
 	for (int k = 0; k < list->count; ++k)
 		p->bodies[k] = owner_handle(world, (int)list->results[k].collidable.index - 1);
-	TRY(scree_bodies_get_poses(world, p->bodies, p->poses, list->count));
+	TRY(api_bodies_get_poses(world, p->bodies, p->poses, list->count));
 	for (int k = 0; k < list->count; ++k)
 	{
 		int collidable = (int)list->results[k].collidable.index - 1;
@@ -82,7 +82,7 @@ static scree_status push(scree_world* world, const char* function, const scree_b
 		p->bodies[pushed] = p->bodies[k];
 		pushed += in_world(p->points[pushed]);
 	}
-	TRY(scree_bodies_apply_impulses_at(world, p->bodies, p->impulses, p->points, pushed));
+	TRY(api_bodies_apply_impulses_at(world, p->bodies, p->impulses, p->points, pushed));
 	if (count)
 		*count = pushed;
 	return SCREE_OK;
@@ -110,7 +110,7 @@ scree_status api_world_blast(scree_world* world, const scree_blast_def* def, int
 	float reach = def->radius + def->falloff;
 	scree_ray circle = {.origin = def->position, .radius = reach < SCREE_MAX_COORDINATE ? reach : SCREE_MAX_COORDINATE};
 	world->makes_queries = true;
-	scree_status status = scree_world_list_rays(world, &query, &circle, 1, &list);
+	scree_status status = api_world_list_rays_sized(world, &query, &circle, 1, &list, sizeof list);
 	world->makes_queries = false;
 	TRY(status);
 	if (list.count == 0)

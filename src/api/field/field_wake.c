@@ -3,6 +3,7 @@
 #include "api/field/field_wake.h"
 #include "platform/error.h"
 #include "world/objects/handles.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include <math.h>
 
@@ -18,11 +19,11 @@ scree_status field_wake(scree_world* world, int index)
 	if (!world->def.sleep || host->def.disabled)
 		return SCREE_OK;
 	if (shape->count == 0)
-		return scree_world_set_awake(world, true);
+		return api_world_set_awake(world, true);
 	if (host->body >= 0)
 	{
 		scree_pose body;
-		TRY(scree_body_get_pose(world, body_handle(world, host->body), &body));
+		TRY(api_body_get_pose(world, body_handle(world, host->body), &body));
 		pose = pose_product(body, pose);
 	}
 	scree_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
@@ -37,6 +38,6 @@ scree_status field_wake(scree_world* world, int index)
 	}
 	// farther out there is no box that can be woken
 	if (!is_near(box.lower.x) || !is_near(box.lower.y) || !is_near(box.upper.x) || !is_near(box.upper.y))
-		return scree_world_set_awake(world, true);
-	return scree_world_set_box_awake(world, box, true);
+		return api_world_set_awake(world, true);
+	return api_world_set_box_awake(world, box, true);
 }

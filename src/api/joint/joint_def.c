@@ -79,7 +79,7 @@ static scree_status place(scree_world* world, ArgumentPlace at, const char* memb
 	if (scree_body_is_null(body))
 		return SCREE_OK;
 	TRY(check_body(world, at, member, body, &index));
-	TRY(scree_body_get_pose(world, body, &own));
+	TRY(api_body_get_pose(world, body, &own));
 	scree_rot back = {own.rotation.c, -own.rotation.s};
 	scree_vec shift = {pose.position.x - own.position.x, pose.position.y - own.position.y};
 	frame->position = rot_vec(back, shift);
@@ -125,7 +125,7 @@ scree_status api_joint_def_mount(scree_world* world, scree_joint_def* def, float
 	if (!scree_body_is_null(def->body_a))
 	{
 		TRY(check_body(world, at, ".body_a", def->body_a, &body));
-		TRY(scree_body_get_pose(world, def->body_a, &own));
+		TRY(api_body_get_pose(world, def->body_a, &own));
 	}
 	scree_pose pose = pose_product(pose_product(own, frame), path_pose_at(world, path, along));
 	TRY(place(world, at, ".body_b", def->body_b, pose, &def->frame_b));
@@ -143,7 +143,7 @@ static scree_status measure(scree_world* world, ArgumentPlace at, const scree_jo
 	if (!scree_body_is_null(body))
 	{
 		TRY(check_body(world, at, members[k], body, &index));
-		TRY(scree_body_get_pose(world, body, &pose));
+		TRY(api_body_get_pose(world, body, &pose));
 	}
 	scree_vec anchor = pose_point(pose, frame.position);
 	scree_vec d = {anchor.x - base.position.x, anchor.y - base.position.y};

@@ -86,7 +86,7 @@ static scree_status ground_poses(MoverCall* call, scree_pose* poses)
 		poses[k] = nowhere;
 	if (count == 0)
 		return SCREE_OK;
-	TRY(scree_bodies_get_poses(call->world, call->bodies, call->poses, count));
+	TRY(api_bodies_get_poses(call->world, call->bodies, call->poses, count));
 	for (int k = 0; k < count; ++k)
 		poses[call->of[k]] = call->poses[k];
 	return SCREE_OK;
@@ -108,7 +108,7 @@ static float belt_speed(const scree_world* world, scree_collidable ground)
 	scree_attribute attribute;
 	scree_attribute_def def;
 	if (!collidable_is_valid(world, ground) || scree_collidable_get_attribute(world, ground, &attribute) != SCREE_OK ||
-	    scree_attribute_get_def(world, attribute, &def) != SCREE_OK)
+	    api_attribute_get_def_sized(world, attribute, &def, sizeof def) != SCREE_OK)
 		return 0.0f;
 	return def.tangent_speed;
 }

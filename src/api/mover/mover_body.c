@@ -5,7 +5,7 @@
 // 1 skin away from everything, and at most at the speed of the mover; a longer way begins with a teleport. Crates that
 // move into the body are stopped by it; crates that the mover walks against get impulses (mover_push.c).
 //
-// The function consists of public calls, each of which is recorded and repeated by itself. Memory for the last ones is
+// The function consists of metric_ calls, each of which is recorded and repeated by itself. Memory for the last ones is
 // reserved before the first of them changes the world.
 #include "api/mover/mover.h"
 #include "api/mover/mover_push.h"
@@ -116,7 +116,7 @@ static scree_status ground_velocities(BodyCall* call)
 		call->of[count] = k;
 		call->read[count++] = owner;
 	}
-	TRY(scree_bodies_get_velocities(world, call->read, call->velocities, count));
+	TRY(metric_bodies_get_velocities(world, call->read, call->velocities, count));
 	for (int k = 0; k < count; ++k)
 	{
 		const scree_mover* m = call->push.after + call->of[k];
@@ -164,7 +164,7 @@ static scree_status follow_all(BodyCall* call)
 			call->of[count] = k;
 			call->read[count++] = call->bodies[k];
 		}
-	TRY(scree_bodies_get_poses(call->push.world, call->read, call->poses, count));
+	TRY(metric_bodies_get_poses(call->push.world, call->read, call->poses, count));
 	for (int k = 0; k < count; ++k)
 		follow(call, call->of[k], call->poses[k]);
 	return SCREE_OK;
@@ -184,9 +184,9 @@ static scree_status apply(const BodyCall* call, const MoverPushes* pushes)
 	TRY(targets_reserve(world, call->push.function, call->targeted));
 	TRY(edits_reserve(world, call->push.function, 0, 0,
 	                  call->teleports + JOINT_COMMANDS * joints + call->targeted + pushes->count));
-	TRY(scree_bodies_set_poses(world, call->teleported, call->starts, call->teleports));
-	TRY(scree_bodies_set_targets(world, call->moved, call->targets, call->targeted));
-	return scree_bodies_apply_impulses_at(world, pushes->bodies, pushes->impulses, pushes->points, pushes->count);
+	TRY(metric_bodies_set_poses(world, call->teleported, call->starts, call->teleports));
+	TRY(metric_bodies_set_targets(world, call->moved, call->targets, call->targeted));
+	return metric_bodies_apply_impulses_at(world, pushes->bodies, pushes->impulses, pushes->points, pushes->count);
 }
 
 static scree_status move(BodyCall* call, scree_mover* movers, const scree_mover_def* def)
@@ -199,7 +199,7 @@ static scree_status move(BodyCall* call, scree_mover* movers, const scree_mover_
 		if (scree_body_is_null(movers[k].ignored))
 			p->after[k].ignored = call->bodies[k];
 	}
-	TRY(scree_movers_move(p->world, def, p->after, p->count, p->dt));
+	TRY(metric_movers_move(p->world, def, p->after, p->count, p->dt));
 	scree_status status = mover_pushes(p, &pushes);
 	if (status == SCREE_OK)
 		status = follow_all(call);

@@ -8,6 +8,7 @@
 #include "api/mover/mover_slide.h"
 #include "world/objects/handles.h"
 #include "world/objects/mass.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 #include <math.h>
@@ -194,8 +195,8 @@ static scree_status read_bodies(Touches* t, scree_body* bodies)
 {
 	for (int k = 0; k < t->count; ++k)
 		bodies[k] = body_handle(t->call->world, t->touches[k].body);
-	TRY(scree_bodies_get_poses(t->call->world, bodies, t->poses, t->count));
-	return scree_bodies_get_velocities(t->call->world, bodies, t->velocities, t->count);
+	TRY(metric_bodies_get_poses(t->call->world, bodies, t->poses, t->count));
+	return metric_bodies_get_velocities(t->call->world, bodies, t->velocities, t->count);
 }
 
 // Computes the pushes of a list of touched collidables. of: indices of the movers, per query of the list.
@@ -254,7 +255,8 @@ static scree_status find_and_push(const PushCall* call, scree_probe* probes, int
 	shape.radius += TOUCHES * call->def->skin;
 	scree_query_results list;
 	call->world->makes_queries = true;
-	scree_status status = scree_world_list_shapes(call->world, &query, &shape, probes, asked, &list);
+	scree_status status =
+	    metric_world_list_shapes_sized(call->world, &query, &shape, probes, asked, &list, sizeof list);
 	call->world->makes_queries = false;
 	return status == SCREE_OK && list.count > 0 ? push_list(call, &list, of, pushes) : status;
 }

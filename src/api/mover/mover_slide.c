@@ -2,6 +2,7 @@
 // mover_slide.c -- computes the parts of the motion of movers, each by some rounds of queries for all movers of a call.
 #include "api/mover/mover_slide.h"
 #include "world/check.h"
+#include "world/record/api_calls.h"
 #include <math.h>
 
 #define RECOVER_ROUNDS 8
@@ -37,8 +38,8 @@ static scree_status cast(MoverCall* call)
 	scree_shape shape = call->shape;
 	float skin = call->def->skin > 4.0f * TOUCH ? call->def->skin - 2.0f * TOUCH : 0.5f * call->def->skin;
 	shape.radius += skin;
-	TRY(scree_world_cast_shapes(call->world, &call->seen, &call->shape, call->probes, call->asked, call->found));
-	TRY(scree_world_cast_shapes(call->world, &call->seen, &shape, call->probes, call->asked, wide));
+	TRY(api_world_cast_shapes(call->world, &call->seen, &call->shape, call->probes, call->asked, call->found));
+	TRY(api_world_cast_shapes(call->world, &call->seen, &shape, call->probes, call->asked, wide));
 	for (int k = 0; k < call->asked; ++k)
 	{
 		scree_vec way = call->probes[k].translation;
@@ -132,8 +133,8 @@ scree_status mover_is_crushed(MoverCall* call)
 			ask(call, k, call->motions[k].at, (scree_vec){0});
 	if (call->asked == 0)
 		return SCREE_OK;
-	TRY(scree_world_find_nearest(call->world, &call->seen, &call->shape, call->probes, call->asked, call->def->skin,
-	                             call->found));
+	TRY(api_world_find_nearest(call->world, &call->seen, &call->shape, call->probes, call->asked, call->def->skin,
+	                           call->found));
 	for (int k = 0; k < call->asked; ++k)
 	{
 		const scree_query_result* found = call->found + k;
@@ -160,8 +161,8 @@ scree_status mover_recover(MoverCall* call)
 		}
 		if (call->asked == 0)
 			break;
-		TRY(scree_world_find_nearest(call->world, &call->seen, &call->shape, call->probes, call->asked, call->def->skin,
-		                             call->found));
+		TRY(api_world_find_nearest(call->world, &call->seen, &call->shape, call->probes, call->asked, call->def->skin,
+		                           call->found));
 		int moved = 0;
 		for (int k = 0; k < call->asked; ++k)
 		{
@@ -215,7 +216,7 @@ static scree_status find_ground(MoverCall* call)
 	if (rays == 0)
 		return SCREE_OK;
 	scree_query_result* beside = call->found + call->count;
-	TRY(scree_world_cast_rays(call->world, &call->seen, call->rays, rays, beside));
+	TRY(api_world_cast_rays(call->world, &call->seen, call->rays, rays, beside));
 	for (int k = 0, ray = 0; k < call->asked; ++k)
 		if (call->found[k].hit && !is_ground(call, call->found[k].normal))
 		{

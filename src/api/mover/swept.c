@@ -6,6 +6,7 @@
 #include "api/mover/swept.h"
 #include "api/mover/mover_slide.h"
 #include "world/objects/handles.h"
+#include "world/record/api_calls.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 #include <math.h>
@@ -53,7 +54,7 @@ static int sweepers_of(const MoverCall* call, scree_body body, scree_pose now, s
 	scree_world* world = call->world;
 	scree_mass mass;
 	int count = 0;
-	if (scree_body_get_mass(world, body, &mass) != SCREE_OK)
+	if (api_body_get_mass(world, body, &mass) != SCREE_OK)
 		return 0;
 	const HostBody* owner = world->host_bodies + body.index;
 	bool went = owner->went == world->pipeline.steps;
@@ -63,7 +64,8 @@ static int sweepers_of(const MoverCall* call, scree_body body, scree_pose now, s
 		const HostCollidable* host = world->host_collidables + k;
 		scree_attribute_def def;
 		if (!is_obstacle(call, host) ||
-		    scree_attribute_get_def(world, attribute_handle(world, host->attribute), &def) != SCREE_OK ||
+		    api_attribute_get_def_sized(world, attribute_handle(world, host->attribute), &def, sizeof def) !=
+		        SCREE_OK ||
 		    dot(def.one_way, def.one_way) > 0.0f)
 			continue;
 		Sweeper s = {.handle = collidable_handle(world, k), .shape = def.shape};
@@ -118,8 +120,8 @@ static scree_status push_all(MoverCall* call, const scree_collidable* crushers)
 {
 	uint32_t kinds = call->seen.kinds;
 	call->seen.kinds = SCREE_QUERY_STATIC & kinds;
-	scree_status status = call->seen.kinds ? scree_world_cast_shapes(call->world, &call->seen, &call->shape,
-	                                                                 call->probes, call->asked, call->found)
+	scree_status status = call->seen.kinds ? api_world_cast_shapes(call->world, &call->seen, &call->shape, call->probes,
+	                                                               call->asked, call->found)
 	                                       : SCREE_OK;
 	bool sees = call->seen.kinds != 0;
 	call->seen.kinds = kinds;
@@ -203,8 +205,8 @@ typedef struct // kinematic bodies with their poses and velocities, and the swee
 static scree_status push(MoverCall* call, const SweptBodies* swept, int bodies, float dt)
 {
 	int count = 0;
-	TRY(scree_bodies_get_poses(call->world, swept->bodies, swept->poses, bodies));
-	TRY(scree_bodies_get_velocities(call->world, swept->bodies, swept->velocities, bodies));
+	TRY(api_bodies_get_poses(call->world, swept->bodies, swept->poses, bodies));
+	TRY(api_bodies_get_velocities(call->world, swept->bodies, swept->velocities, bodies));
 	for (int k = 0; k < bodies; ++k)
 		count +=
 		    sweepers_of(call, swept->bodies[k], swept->poses[k], swept->velocities[k], dt, swept->sweepers + count);

@@ -18,6 +18,7 @@
 #include "world/recovery/recovery.h"
 #include "world/save/saves.h"
 #include "world/tuning_members.h"
+#include "world/units/convert.h"
 #include "world/upload/upload.h"
 #include "world/upload/whole_sleep.h"
 #include "world/world.h"
@@ -57,6 +58,12 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 		return refuse(SCREE_ERROR_INVALID, at, ".threads", "is %d, must be from 0 to 64", def->threads);
 	if (def->lanes != 0 && def->lanes != 1 && def->lanes != 4 && def->lanes != 8 && def->lanes != 16)
 		return refuse(SCREE_ERROR_INVALID, at, ".lanes", "is %d, must be 0, 1, 4, 8 or 16", def->lanes);
+#ifdef SCREE_SMALL // a build for WebAssembly works in metres
+	TRY(check_real(at, ".length_unit", def->length_unit, 0.0f, 0.0f));
+#else
+	if (def->length_unit != 0.0f)
+		TRY(check_real(at, ".length_unit", def->length_unit, LEAST_LENGTH_UNIT, MOST_LENGTH_UNIT));
+#endif
 	scree_tuning tuning = tuning_of(def);
 	TRY(check_tuning(at, &tuning));
 	TRY(check_real(at, ".hit_speed", def->hit_speed, 0.0f, FLT_MAX));
@@ -91,6 +98,9 @@ scree_status api_world_create(const scree_world_def* def, scree_world** world)
 	def = definition_at(def, 0, &world_definition, &local);
 	TRY(check_def(function, def));
 #ifndef SCREE_SMALL
+	scree_world_def metric = *def;
+	units_of_definition(&metric);
+	def = &metric;
 	TRY(cpu_self_test(function));
 #endif
 	Backend* backend;

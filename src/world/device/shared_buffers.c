@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shared_buffers.c -- lets a world share memory of its device with other programs.
 #include "world/device/shared_buffers.h"
+#include "world/check.h"
 #include "world/failure.h"
 #include "world/world.h"
 
@@ -19,6 +20,9 @@ scree_status world_share(scree_world* world, const char* function, const char* w
 {
 	TRY(world_check(world, function));
 	Backend* b = world->backend;
+	if (world->def.length_unit != 0.0f)
+		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: memory is shared in metres, and scree_world_def.length_unit is %s",
+		            function, decimal(world->def.length_unit).text);
 	if (memory->how == SCREE_SHARING_MEMORY && memory->file < 0)
 		return fail(SCREE_ERROR_INVALID, "%s: file_descriptor is %d, must not be negative", function, memory->file);
 	if (memory->bytes < SHARED_LEAST)

@@ -11,7 +11,7 @@
 #define CALL(name, ...)                                                        \
 	static scree_status repeat_##name(scree_world* world, void* const* values) \
 	{                                                                          \
-		return scree_##name(world, EACH(VALUE, __VA_ARGS__));                  \
+		return metric_##name(world, EACH(VALUE, __VA_ARGS__));                 \
 	}
 #include "world/record/recorded_calls.def"
 

@@ -98,6 +98,7 @@ static void exchange(scree_world* world, scree_world* made)
 	EXCHANGE(int, world->reports.rows_capacity, made->reports.rows_capacity);
 	EXCHANGE(char*, world->moved, made->moved);
 	EXCHANGE(int, world->moved_capacity, made->moved_capacity);
+	EXCHANGE(UnitShapes, world->unit_shapes, made->unit_shapes);
 	world->def.device = world->device;
 	if (world->def.opengl)
 		world->def.opengl = &world->opengl;

@@ -256,6 +256,12 @@ static scree_status check_all(const ChunkIndex* index, const scree_world* world,
 
 scree_status host_check(const ChunkIndex* index, const scree_world* world)
 {
+	float unit = world->def.length_unit;
+#ifdef SCREE_SMALL // a build for WebAssembly works in metres
+	CHECK_ITEM(unit == 0.0f, "world", 0);
+#else
+	CHECK_ITEM(unit == 0.0f || (unit >= LEAST_LENGTH_UNIT && unit <= MOST_LENGTH_UNIT), "world", 0);
+#endif
 	size_t count = (size_t)world->attribute_slots.used + (size_t)world->paths.used + (size_t)world->bodies.used;
 	int* users = scree_allocate(count * sizeof *users);
 	if (!users)

@@ -22,6 +22,7 @@ static const Column world_columns[] = {
     WORLD(def.hit_impulse),
     WORLD(def.sleep),
     WORLD(def.sleep_threshold),
+    WORLD(def.length_unit),
     WORLD(ruled),
     WORLD(bodies.used),
     WORLD(collidables.used),

@@ -212,6 +212,14 @@ static void adopt(scree_world* world, scree_world* made)
 static scree_status restore(Restore* r, scree_world* world, const void* bytes, size_t size)
 {
 	TRY(read_all(r, &world->def, bytes, size));
+#ifndef SCREE_SMALL // a build for WebAssembly shares no memory
+	float unit = r->made->def.length_unit;
+	for (int use = 0; use < SHARED_USES && unit != 0.0f; ++use)
+		if (world->shared[use] > 0)
+			return fail(SCREE_ERROR_NOT_SUPPORTED,
+			            "%s: the world shares memory in metres, and the length_unit of the snapshot is %g",
+			            r->index.function, (double)unit);
+#endif
 	TRY(world_note(world, reserve(r, world)));
 	scree_status status = write_device(r, world->backend);
 	if (status == SCREE_OK)
