@@ -43,6 +43,7 @@ world/save
 world/record
 world/recovery
 world/record/recorder
+world/units
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover
 api/draw

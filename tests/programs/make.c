@@ -180,6 +180,8 @@ static void put_world(Maker* m)
 		call_set(&call, "contacts", PICK(m, 1.0f, 3000.0f));
 	m->extras = chance(m, 0.6);
 	call_set(&call, "details", chance(m, 0.3));
+	if (chance(m, 0.1))
+		call_set(&call, "unit", PICK(m, 0.1f, 0.5f, 2.0f, 3.0f));
 	put(m, call);
 }
 

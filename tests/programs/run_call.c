@@ -387,6 +387,7 @@ scree_status run_world(const Place* place, const Call* call, scree_world** world
 	def.contact_details = call_whole(&t, "details") != 0;
 	def.sleep = call_whole(&t, "sleep") != 0;
 	def.sleep_threshold = call_real(&t, "sleep_threshold");
+	def.length_unit = call_real(&t, "unit");
 	def.recovery_interval = place->faults ? FAULTY_INTERVAL : 0;
 	return scree_world_create(&def, world);
 }
