@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // plain_calls.c -- the public functions that are neither recorded nor repeated: each calls its api_ function, and reports a failure.
+#include "platform/exact_floats.h"
 #include "platform/fail_hook.h"
 #include "world/units/convert.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 // clang-format off
-#define BEGIN(type) static const UnitMember members_##type[] = {
+#define BEGIN(type) static const UnitMember lengths_##type[] = {
 #define MEMBER_ROW(type, member, power) \
 	{#member, (uint16_t)offsetof(type, member), (uint16_t)(sizeof(((type*)0)->member) / (sizeof(float))), power},
 #define MEMBER(type, member, power) MEMBER_ROW(type, member, power)
@@ -19,7 +19,7 @@
 	scree_mover_def*: true, scree_field_def*: true, scree_tuning*: true, scree_draw_def*: true, scree_surface*: true, default: false)
 
 const UnitType unit_types[UNIT_TYPE_COUNT] = {
-#define X(type) {#type, (uint32_t)sizeof(type), IS_SIZED(type), members_##type, (int)(sizeof members_##type / sizeof(UnitMember)) - 1},
+#define X(type) {#type, (uint32_t)sizeof(type), IS_SIZED(type), lengths_##type, (int)(sizeof lengths_##type / sizeof(UnitMember)) - 1},
 UNIT_TYPES(X)
 #undef X
 };
