@@ -78,7 +78,8 @@ INLINE Int saved_limits(const Pools* p, Int axis, Real limit, Word lanes)
 	int place = saved_reserve(p, count);
 	if (place < 0)
 		return axis;
-	for (int k = 0; lanes >> k != 0; ++k)
+	// the bound is redundant; without it gcc 12 unrolls the loop beyond the vector with SSE4.1, and stops with an internal error
+	for (int k = 0; k < LANES && lanes >> k != 0; ++k)
 		if (lanes >> k & 1)
 		{
 			GLOBAL int* rest = (GLOBAL int*)saved_words(p) + p->step.saved.rest + place;
