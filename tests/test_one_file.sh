@@ -52,7 +52,7 @@ check()
 	command -v "$1" >/dev/null || { echo "$1: left out, because it is not installed"; return; }
 	local compiler=$1 lanes=$2 found all equal
 	shift 2
-	found=$(hash_of "$compiler" "$@" -Wall -Wextra -Werror)
+	found=$(hash_of "$compiler" "$@" -Wall -Wextra -Werror) || complain "$found"
 	[ "$found" = "$expected" ] || complain "$compiler $*: the hash is $found, not $expected"
 	echo "$compiler $*: $(size scree_all.o | awk 'NR == 2 { print $1 }') bytes of code, same hash"
 	# the reader of scenes is not a part of the library
