@@ -280,6 +280,8 @@ function inline(path, unit, i, line, names, depth, guard)
 			sub(/^extern /, "static ", line)
 			if (line ~ /^#define .* scree_status api_##/)
 				sub(/ scree_status api_##/, " static scree_status api_##", line)
+			if (line ~ /^\t+scree_status (api|metric)_##/) # goes on with such a macro
+				sub(/scree_status/, "static scree_status", line)
 			if (line ~ /^[A-Za-z][A-Za-z0-9_]*[ *].*[(,]/ && line !~ /^(static|typedef|struct|union|enum|INLINE|INLINE_LONG|INLINE_MEET|OUT_OF_LINE|RARE|_Static_assert|SCREE_API)/ && line !~ /^[A-Z_]+[( ]/ && line !~ /^void SELF_TEST/)
 				line = "static " line
 		}
