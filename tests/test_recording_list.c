@@ -2,6 +2,7 @@
 // test_recording_list.c -- checks the lists of recorded and of reading calls and their types against scree.h: no function that
 // uses a world and no member of a struct is missing.
 #include "support/checks.h"
+#include "support/header_text.h"
 #include "world/record/call_list.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,18 +28,6 @@ static const char* not_repeated[] = {
 #include "world/record/reading_calls.def"
 };
 #define NOT_REPEATED_COUNT (int)(sizeof not_repeated / sizeof *not_repeated)
-
-static char* read_header(void)
-{
-	char path[4096];
-	snprintf(path, sizeof path, "%s/include/scree/scree.h", getenv("SCREE_SOURCE"));
-	FILE* file = fopen(path, "rb");
-	assert_non_null(file);
-	char* text = calloc(1, 1 << 20);
-	assert_true(fread(text, 1, (1 << 20) - 1, file) > 100000);
-	fclose(file);
-	return text;
-}
 
 // Returns whether a name matches a pattern, in which * stands for any letters.
 static bool matches(const char* pattern, const char* name)

@@ -2,6 +2,7 @@
 // test_units_list.c -- checks the lists of units (src/world/units/) against scree.h: each float of a public struct, each float
 // argument and each function with a length is listed.
 #include "support/checks.h"
+#include "support/header_text.h"
 #include "world/units/unit_list.h"
 #include <limits.h>
 #include <stdio.h>
@@ -55,18 +56,6 @@ static bool among(const char* const* list, size_t count, const char* name)
 	return false;
 }
 #define AMONG(list, name) among(list, sizeof(list) / sizeof *(list), name)
-
-static char* read_header(void)
-{
-	char path[4096];
-	snprintf(path, sizeof path, "%s/include/scree/scree.h", getenv("SCREE_SOURCE"));
-	FILE* file = fopen(path, "rb");
-	assert_non_null(file);
-	char* text = calloc(1, 1 << 20);
-	assert_true(fread(text, 1, (1 << 20) - 1, file) > 100000);
-	fclose(file);
-	return text;
-}
 
 static const UnitType* type_named(const char* name)
 {

@@ -183,27 +183,12 @@ scree_status searches_prepare(Pipeline* pipeline, const Names* collidables, cons
 	return SCREE_OK;
 }
 
-scree_status search_answer(const Pipeline* pipeline, const QueryRequest* q, QueryResult* found)
+// Executes a search. mode: QUERY_*; queries, room, *count: as in search_list.
+static scree_status search(const Pipeline* pipeline, const QueryRequest* q, int mode, QueryResult* found, int* queries,
+                           int room, int* count)
 {
 	Backend* b = pipeline->backend;
-	Run run = search_of(pipeline, q, q->any ? QUERY_ANY : QUERY_CLOSEST);
-	QueryPlan plan = q->plan;
-	plan.bodies = q->bodies.count;
-	TRY(q->check(q->context, 0, q->count));
-	b->f->search(b, &(Search){.kernel = run.kernel_id,
-	                          .argument = run.argument,
-	                          .count = q->count,
-	                          .queries = q->items,
-	                          .plan = &plan,
-	                          .found = found});
-	return SCREE_OK;
-}
-
-scree_status search_list(const Pipeline* pipeline, const QueryRequest* q, QueryResult* found, int* queries, int room,
-                         int* count)
-{
-	Backend* b = pipeline->backend;
-	Run run = search_of(pipeline, q, QUERY_ALL);
+	Run run = search_of(pipeline, q, mode);
 	QueryPlan plan = q->plan;
 	plan.bodies = q->bodies.count;
 	plan.room = room;
@@ -217,6 +202,18 @@ scree_status search_list(const Pipeline* pipeline, const QueryRequest* q, QueryR
 	                          .found_query = queries});
 	*count = plan.found;
 	return SCREE_OK;
+}
+
+scree_status search_answer(const Pipeline* pipeline, const QueryRequest* q, QueryResult* found)
+{
+	int unused;
+	return search(pipeline, q, q->any ? QUERY_ANY : QUERY_CLOSEST, found, NULL, 0, &unused);
+}
+
+scree_status search_list(const Pipeline* pipeline, const QueryRequest* q, QueryResult* found, int* queries, int room,
+                         int* count)
+{
+	return search(pipeline, q, QUERY_ALL, found, queries, room, count);
 }
 
 static scree_status sort(Pipeline* pipeline, const QueryRequest* q, int count)

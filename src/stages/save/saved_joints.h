@@ -22,8 +22,7 @@
 
 #define SAVED_RARE_VALUES ((int)(sizeof(JointRareKept) / sizeof(float)))
 
-// Lists the values of a joint that are mostly as predicted, apart from its rare rows. event: the words of the event with the
-// number of the joint.
+// Lists the values of a joint that are mostly as predicted, apart from its rare rows and its event.
 #define SAVED_JOINT_VALUES(INT)                                                              \
 	INT(p->joint_flags[i], (int)(traits >> SAVED_JOINT_FLAGS & SAVED_FLAGS_MASK))            \
 	INT(p->joint_color[i], (int)(traits & 255u) - SAVED_COLOR_ZERO)                          \
