@@ -41,10 +41,10 @@ typedef struct // softness of a contact: factors of the bias pass. Source: Erin 
 
 // Numbers of words of a save: before the parts, and of each item (src/stages/save/).
 #define SAVED_HEAD             MAX_LANES
-#define SAVED_BODY_WORDS       17
+#define SAVED_BODY_WORDS       15
 #define SAVED_COLLIDABLE_WORDS 6
-#define SAVED_CONTACT_WORDS    9
-#define SAVED_PLACE_WORDS      5
+#define SAVED_CONTACT_WORDS    2
+#define SAVED_PLACE_WORDS      12
 #define SAVED_JOINT_WORDS      7
 // Numbers of bits of the index of a collidable and of that of a contact slot in these words.
 #define SAVED_PAIR_BITS 24

@@ -6,10 +6,9 @@
 #include "stages/save/saved_words.h"
 
 // Words of a body: pose, rounding errors, velocity, motion in the step, then these.
-#define SAVED_STILL          12 // time at rest; the place of the rest of the body, if it has one
-#define SAVED_STATIC_CONTACT 13
-#define SAVED_COLORS         14 // two words
-#define SAVED_COUNTS         16 // numbers of contacts, and flags
+#define SAVED_STILL  12 // time at rest; the place of the rest of the body, if it has one
+#define SAVED_COLORS 13 // lower half of the colors
+#define SAVED_COUNTS 14 // numbers of contacts, and flags
 
 // Bits of the word SAVED_COUNTS: lowest bits of each number. A number that does not fit is in the rest.
 #define SAVED_OTHER       8
@@ -19,7 +18,7 @@
 #define SAVED_BODY_RESTED 0x80000000u // the body has words in the rest
 
 // Lists the values of a body that are mostly as predicted. counts: word SAVED_COUNTS; origin: pose as the user may have
-// read it. Sleep comes first, because the predictions of other values depend on it.
+// read it; high: upper half of the colors. Sleep comes first, because the predictions of other values depend on it.
 #define SAVED_BODY_VALUES(INT, NUMBER)                                               \
 	INT(p->sleep[i], 0)                                                              \
 	NUMBER(p->motion[i].free_x, p->sleep[i] == 0 && moves ? 1.0f : 0.0f)             \
@@ -30,6 +29,8 @@
 	INT(p->touching[i], (int)(counts & 255u))                                        \
 	INT(p->other_contacts[i], (int)(counts >> SAVED_OTHER & 255u))                   \
 	INT(p->fixed_contacts[i], (int)(counts >> SAVED_FIXED & (Word)SAVED_FIXED_MASK)) \
+	INT(p->static_contact[i], 0)                                                     \
+	INT(high, 0)                                                                     \
 	INT(p->belts[i], 0)                                                              \
 	INT(p->press[i].way[0], 0)                                                       \
 	INT(p->press[i].way[1], 0)                                                       \
@@ -64,7 +65,7 @@ KERNEL(save_body)
 	Float4 pose = p->pose[i];
 	Float2 low = p->pose_low[i];
 	BodyState body = p->body[i];
-	Word64 colors = p->color_mask[i];
+	Word high = (Word)(p->color_mask[i] >> 32);
 	int moves = body.inv_mass > 0.0f;
 	Word counts = ((Word)p->touching[i] & 255u) | ((Word)p->other_contacts[i] & 255u) << SAVED_OTHER |
 	              ((Word)p->fixed_contacts[i] & (Word)SAVED_FIXED_MASK) << SAVED_FIXED;
@@ -84,9 +85,7 @@ KERNEL(save_body)
 	row[10 * by] = float_word(body.dy);
 	row[11 * by] = float_word(body.da);
 	row[SAVED_STILL * by] = float_word(p->still[i]);
-	row[SAVED_STATIC_CONTACT * by] = (Word)p->static_contact[i];
-	row[SAVED_COLORS * by] = (Word)colors;
-	row[(SAVED_COLORS + 1) * by] = (Word)(colors >> 32);
+	row[SAVED_COLORS * by] = (Word)p->color_mask[i];
 	Word mask = 0;
 	int bit = 0;
 	SAVED_BODY_VALUES(SAVED_DIFFERS_INT, SAVED_DIFFERS_NUMBER)
@@ -120,11 +119,11 @@ KERNEL(load_body)
 	body->dy = bits_float((int)row[10 * by]);
 	body->da = bits_float((int)row[11 * by]);
 	p->still[i] = bits_float((int)still);
-	p->static_contact[i] = (int)row[SAVED_STATIC_CONTACT * by];
-	p->color_mask[i] = (Word64)row[SAVED_COLORS * by] | (Word64)row[(SAVED_COLORS + 1) * by] << 32;
 	int bit = 0, moves = body->inv_mass > 0.0f;
+	Word high;
 	Float4 origin = saved_origin(p, i, counts);
 	SAVED_BODY_VALUES(SAVED_TAKE_INT, SAVED_TAKE_NUMBER)
+	p->color_mask[i] = (Word64)row[SAVED_COLORS * by] | (Word64)high << 32;
 }
 
 #endif

@@ -2,8 +2,8 @@
 // saved_contact.h -- packs the contacts of a world into a save, and unpacks them; saved_places.h has their impulses.
 //
 // Most contacts have two points and a place, or neither points nor impulses, and no value that differs from its
-// prediction, except the motion up to which a manifold without points is kept. The kernels of this file process these,
-// several at once; those of saved_contacts.h the others.
+// prediction, except the pose of a manifold without points and the motion up to which it is kept. The kernels of this file
+// process these, several at once; those of saved_contacts.h the others.
 #ifndef SAVED_CONTACT_H
 #define SAVED_CONTACT_H
 #include "stages/narrow_phase/manifold_reuse.h"
@@ -11,14 +11,11 @@
 #include "stages/save/saved_edges.h"
 #include "stages/save/saved_words.h"
 
-// Words of a contact: the pair, with bits of the code above the indices; flags; pose of the manifold; rotation, of which
-// the first word is the place of the rest, if there is one.
-#define SAVED_FLAGS    2
-#define SAVED_RELATIVE 3
-#define SAVED_AXES     7
-
+// Words of a contact: the pair, with bits of the code above the indices. The first word is the place of the rest, if there
+// is one. Flags and pose of a contact that has a place are saved there (saved_places.h).
 #define SAVED_PAIR_MASK ((1u << SAVED_PAIR_BITS) - 1u)
-// The lower 8 bits of the code are above the first index, the upper 3 above the second one, then follow these bits.
+// The lower 8 bits of the code are above the first index, the upper 3 above the second one; CONTACT_FIXED has two of these
+// bits if save_contact packs a contact without points, which needs no code. Then follow these bits.
 #define SAVED_FREE           0x08000000u // the slot is free
 #define SAVED_PLACED         0x10000000u // the contact has a place
 #define SAVED_AHEAD          0x20000000u // the manifold is predicted
@@ -69,26 +66,46 @@ OUT_OF_LINE Int saved_is_empty(const Pools* p, int i, const Real m[16])
 	       (load_int(p->contact_place, i) < 0) & (load_int(p->contact_color, i) == COLOR_NONE);
 }
 
-// Appends the limits of the motion of contacts to the rest, each after the word of the row that becomes its place.
-INLINE Int saved_limits(const Pools* p, Int axis, Real limit, Word lanes)
+#define SAVED_TEST 7 // number of values of a test for points: pose of shape b, rotation of shape a, limit of the motion
+
+// Sets `test` to the predicted pose of shape b in the frame of shape a, and to the rotation of shape a: those at the start of
+// the step. saved_limit returns the limit.
+OUT_OF_LINE void saved_pose(const Pools* p, Int ia, Int ib, Real test[SAVED_TEST])
+{
+	Real a[8], b[8];
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ia, a);
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, b);
+	Vec axes = vec(a[2], a[3]);
+	Vec position = vec_turn_back(axes, vec(b[0] - a[0], b[1] - a[1])), rotation = vec_turn_back(axes, vec(b[2], b[3]));
+	test[0] = position.x;
+	test[1] = position.y;
+	test[2] = rotation.x;
+	test[3] = rotation.y;
+	test[4] = axes.x;
+	test[5] = axes.y;
+}
+
+// Appends tests of contacts to the rest, each after the word of the row that becomes its place.
+INLINE Int saved_tests(const Pools* p, Int word, const Real test[SAVED_TEST], Word lanes)
 {
 	int count = 0;
 	for (Word left = lanes; left != 0; left &= left - 1)
-		count += 2;
+		count += 1 + SAVED_TEST;
 	int place = saved_reserve(p, count);
 	if (place < 0)
-		return axis;
+		return word;
 	// the bound is redundant; without it gcc 12 unrolls the loop beyond the vector with SSE4.1, and stops with an internal error
 	for (int k = 0; k < LANES && lanes >> k != 0; ++k)
 		if (lanes >> k & 1)
 		{
 			GLOBAL int* rest = (GLOBAL int*)saved_words(p) + p->step.saved.rest + place;
-			rest[0] = lane(axis, k);
-			rest[1] = float_bits(lane(limit, k));
-			lane(axis, k) = place;
-			place += 2;
+			*rest++ = lane(word, k);
+			for (int v = 0; v < SAVED_TEST; ++v)
+				*rest++ = float_bits(lane(test[v], k));
+			lane(word, k) = place;
+			place += 1 + SAVED_TEST;
 		}
-	return axis;
+	return word;
 }
 
 WIDE_KERNEL(save_contact)
@@ -143,29 +160,33 @@ WIDE_KERNEL(save_contact)
 	Int expects = saved_same(m[15], saved_limit(p, ia, ib, &e, empty, ahead));
 	alike = alike & expects;
 	if (lane_bits(empty))
-		empty = empty & saved_is_empty(p, i, m);
+	{
+		empty = empty & saved_is_empty(p, i, m) & ((flags & ~(int)CONTACT_FIXED) == 0);
+		Real test[SAVED_TEST];
+		saved_pose(p, ia, ib, test);
+		UNROLL
+		for (int k = 0; k < 6; ++k)
+			expects = expects & saved_same(test[k], m[8 + k]);
+	}
 
 	Int code = blend_int(zero, zero + (int)SAVED_SWAP, e.swap) | shifted(e.edge, SAVED_REFERENCE) |
 	           (int)(SAVED_EDGES | SAVED_HIGH | SAVED_LOW);
 	Int traits =
 	    ib | shifted(e.other, SAVED_PAIR_BITS) | (int)SAVED_PLACED | blend_int(zero, zero + (int)SAVED_AHEAD, ahead);
 	Int without = ib | blend_int(zero, zero + (int)SAVED_AHEAD, ahead) |
+	              (flags & (int)CONTACT_FIXED) |
 	              blend_int(zero + (int)SAVED_CONTACT_RESTED, zero, expects);
 	traits = blend_int(blend_int(zero + (int)SAVED_FREE, zero + (int)SAVED_ODD, there), traits, alike);
 	traits = blend_int(traits, without, empty);
-	code = blend_int(code, zero + (int)SAVED_NO_POINTS, empty);
-	Int axis = real_bits(m[12]);
-	Word limits = lane_bits(empty & (expects == 0));
-	if (limits)
-		axis = saved_limits(p, axis, m[15], limits);
-	store_int((GLOBAL int*)row, 0, ia | shifted(code, SAVED_PAIR_BITS));
+	Int first = ia | shifted(blend_int(code, zero + (int)SAVED_NO_POINTS, empty), SAVED_PAIR_BITS);
+	Word tests = lane_bits(empty & (expects == 0));
+	if (tests)
+	{
+		const Real test[SAVED_TEST] = {m[8], m[9], m[10], m[11], m[12], m[13], m[15]};
+		first = saved_tests(p, first, test, tests);
+	}
+	store_int((GLOBAL int*)row, 0, first);
 	store_int((GLOBAL int*)row + by, 0, traits);
-	store_int((GLOBAL int*)row + SAVED_FLAGS * by, 0, flags);
-	UNROLL
-	for (int k = 0; k < 4; ++k)
-		store((GLOBAL float*)row + (SAVED_RELATIVE + k) * by, 0, m[8 + k]);
-	store_int((GLOBAL int*)row + SAVED_AXES * by, 0, axis);
-	store((GLOBAL float*)row + (SAVED_AXES + 1) * by, 0, m[13]);
 }
 
 // Writes the lanes where `wanted` is set.
@@ -176,27 +197,43 @@ INLINE void saved_put2(GLOBAL Int2* array, int i, Int x, Int y, Int wanted)
 	store_int2(array, i, blend_int(old_x, x, wanted), blend_int(old_y, y, wanted));
 }
 
-// Unpacks a contact without its place, which load_place sets afterwards.
+// Unpacks a contact, except for its impulses. contact_place has its place, if there is one.
 WIDE_KERNEL(load_contact)
 {
 	const GLOBAL int* row = (const GLOBAL int*)saved_row(p, contacts, i);
-	size_t by = saved_by(p, contacts);
-	Int first = load_int(row, 0), traits = load_int(row + by, 0), flags = load_int(row + SAVED_FLAGS * by, 0);
-	Int alike = (traits & (int)(SAVED_FREE | SAVED_ODD)) == 0;
+	Int first = load_int(row, 0), traits = load_int(row + saved_by(p, contacts), 0);
+	Int alike = (traits & (int)(SAVED_FREE | SAVED_ODD)) == 0, placed = alike & ((traits & (int)SAVED_PLACED) != 0);
 	if (SMALL_CODE || lane_bits(alike) == 0)
 		return;
-	Int zero = first & 0, ia = blend_int(zero, first & (int)SAVED_PAIR_MASK, alike);
+	Int zero = first & 0, empty = alike & (placed == 0), place = first;
+	Int flags = traits & (int)CONTACT_FIXED;
+	Word rested = lane_bits(alike & ((traits & (int)SAVED_CONTACT_RESTED) != 0));
+	for (int k = 0; rested >> k != 0; ++k)
+		if (rested >> k & 1)
+			lane(first, k) = (int)*saved_rest_at(p, (Word)lane(place, k));
+	Int ia = blend_int(zero, first & (int)SAVED_PAIR_MASK, alike);
 	Int ib = blend_int(zero, traits & (int)SAVED_PAIR_MASK, alike), code = first >> SAVED_PAIR_BITS;
 	Int a = gather_int(p->collidable_attribute, ia), b = gather_int(p->collidable_attribute, ib);
 	Int body_a = saved_body(p, ia), body_b = saved_body(p, ib);
 	Real m[16], surface[4];
-	UNROLL
-	for (int k = 0; k < 6; ++k)
-		m[8 + k] = load((const GLOBAL float*)row + (SAVED_RELATIVE + k) * by, 0);
-	Int axis = load_int(row + SAVED_AXES * by, 0);
-	Int empty = alike & ((code & (int)SAVED_WAY) == (int)SAVED_NO_POINTS);
+	saved_pose(p, ia, ib, m + 8);
+	if (lane_bits(placed))
+	{
+		const GLOBAL int* at_place = (const GLOBAL int*)saved_row(p, places, 0);
+		size_t by_place = saved_by(p, places);
+		Int at = blend_int(zero, load_int(p->contact_place, i), placed);
+		flags = blend_int(flags, gather_int(at_place + SAVED_FLAGS * by_place, at), placed);
+		UNROLL
+		for (int k = 0; k < 6; ++k)
+			m[8 + k] = blend(m[8 + k], gather((const GLOBAL float*)at_place + (SAVED_POSE + k) * by_place, at), placed);
+	}
 	SavedEdges e;
 	saved_shapes(p, &e, a, b);
+	m[14] = e.at_a[TRAIT_REACH];
+	m[15] = saved_limit(p, ia, ib, &e, empty, (traits & (int)SAVED_AHEAD) != 0);
+	for (int k = 0; rested >> k != 0; ++k)
+		for (int v = 0; v < SAVED_TEST && rested >> k & 1; ++v)
+			lane(m[v < 6 ? 8 + v : 15], k) = bits_float((int)saved_rest_at(p, (Word)lane(place, k))[1 + v]);
 	e.swap = (code & (int)SAVED_SWAP) != 0;
 	e.edge = code >> SAVED_REFERENCE & 7;
 	e.other = traits >> SAVED_PAIR_BITS & 7;
@@ -211,17 +248,7 @@ WIDE_KERNEL(load_contact)
 		m[5 + 2 * k] = only(ends.point[k].y, empty == 0);
 		ends.feature[k] = blend_int(ends.feature[k], zero - 1, empty);
 	}
-	m[14] = e.at_a[TRAIT_REACH];
-	m[15] = saved_limit(p, ia, ib, &e, empty, (traits & (int)SAVED_AHEAD) != 0);
 	saved_surface(e.at_a, e.at_b, surface);
-	Word rested = lane_bits(alike & ((traits & (int)SAVED_CONTACT_RESTED) != 0));
-	for (int k = 0; rested >> k != 0; ++k)
-		if (rested >> k & 1)
-		{
-			const GLOBAL Word* rest = saved_rest_at(p, (Word)lane(axis, k));
-			lane(m[12], k) = bits_float((int)rest[0]);
-			lane(m[15], k) = bits_float((int)rest[1]);
-		}
 	UNROLL
 	for (int k = 0; k < 4; ++k)
 		scatter_rows4of8((GLOBAL float*)p->contact_manifold + 4 * k, 2 * indices(i), m + 4 * k, alike);
@@ -235,7 +262,7 @@ WIDE_KERNEL(load_contact)
 	saved_put((GLOBAL int*)p->contact_flags, i, flags, alike);
 	saved_put((GLOBAL int*)p->contact_press, i, zero, alike);
 	saved_put(p->contact_color, i, zero + COLOR_NONE, alike);
-	saved_put(p->contact_place, i, zero - 1, alike);
+	saved_put(p->contact_place, i, zero - 1, empty);
 }
 
 #endif

@@ -11,7 +11,14 @@
 #include "stages/save/saved_contact.h"
 #include "stages/save/saved_manifold.h"
 
-typedef struct // values of a contact, apart from those of its row
+typedef struct // flags of a contact, and the pose for which its manifold was computed
+{
+	int flags;
+	Float4 relative; // pose of shape b in the frame of shape a
+	Vec axes;        // rotation of shape a
+} SavedTest;
+
+typedef struct // other values of a contact, apart from those of its row
 {
 	int color;
 	Int2 bodies, feature;
@@ -24,7 +31,17 @@ typedef struct // values of a contact, apart from those of its row
 	Float4 surface;
 } SavedContact;
 
-// Lists the values of a contact that are mostly as predicted. c: values; e: predictions.
+// Lists the values of a contact without a place on which predictions of others depend. t: values; s: predictions.
+#define SAVED_TEST_VALUES(INT, NUMBER)   \
+	INT(t.flags, s.flags)                \
+	NUMBER(t.relative.x, s.relative.x)   \
+	NUMBER(t.relative.y, s.relative.y)   \
+	NUMBER(t.relative.z, s.relative.z)   \
+	NUMBER(t.relative.w, s.relative.w)   \
+	NUMBER(t.axes.x, s.axes.x)           \
+	NUMBER(t.axes.y, s.axes.y)
+
+// Lists the other values of a contact that are mostly as predicted. c: values; e: predictions.
 #define SAVED_CONTACT_VALUES(INT, NUMBER) \
 	INT(c.color, e.color)                 \
 	INT(c.bodies.x, e.bodies.x)           \
@@ -59,6 +76,39 @@ INLINE void saved_set_manifold(SavedContact* e, Manifold m)
 	e->on_a = make_float4(m.point[0].x, m.point[0].y, m.point[1].x, m.point[1].y);
 	e->separation1 = m.separation[0];
 	e->separation2 = m.separation[1];
+}
+
+INLINE SavedTest saved_test_of(int flags, const float pose[6])
+{
+	SavedTest t;
+	t.flags = flags;
+	t.relative = make_float4(pose[0], pose[1], pose[2], pose[3]);
+	t.axes = vec(pose[4], pose[5]);
+	return t;
+}
+
+INLINE Frame saved_frame(SavedTest t)
+{
+	return frame_at(vec(t.relative.x, t.relative.y), vec(t.relative.z, t.relative.w));
+}
+
+// Returns the prediction for a contact without a place.
+INLINE SavedTest saved_test_expected(const Pools* p, Int2 pair)
+{
+	float pose[SAVED_TEST];
+	saved_pose(p, pair.x, pair.y, pose);
+	return saved_test_of(0, pose);
+}
+
+// Returns the values that the place of a contact has saved.
+INLINE SavedTest saved_test_at(const Pools* p, int place)
+{
+	const GLOBAL Word* row = saved_row(p, places, place);
+	size_t by = saved_by(p, places);
+	float pose[6];
+	for (int k = 0; k < 6; ++k)
+		pose[k] = bits_float((int)row[(SAVED_POSE + k) * by]);
+	return saved_test_of((int)row[SAVED_FLAGS * by], pose);
 }
 
 // Returns the values of a contact that follow from its pair, its flags and its code, apart from the manifold.
@@ -101,11 +151,14 @@ KERNEL(save_contact_odd)
 	if (row[by] != SAVED_ODD)
 		return;
 	Int2 pair = p->pair[i];
-	Word flags = p->contact_flags[i];
 	LocalManifold manifold = p->contact_manifold[i];
 	int a = p->collidable_attribute[pair.x], b = p->collidable_attribute[pair.y];
 	int placed = p->contact_place[i] >= 0, ahead = manifold.then.w == -1.0f;
-	SavedContact c, e = saved_expected(p, pair, flags, ahead);
+	SavedTest t, s = saved_test_expected(p, pair);
+	t.flags = (int)p->contact_flags[i];
+	t.relative = manifold.relative;
+	t.axes = vec(manifold.then.x, manifold.then.y);
+	SavedContact c, e = saved_expected(p, pair, (Word)t.flags, ahead);
 	c.color = placed ? COLOR_NONE : p->contact_color[i];
 	c.bodies = p->contact_bodies[i];
 	c.feature = p->contact_feature[i];
@@ -129,38 +182,36 @@ KERNEL(save_contact_odd)
 	c.press = (int)p->contact_press[i];
 	c.surface = p->contact_surface[i];
 
-	Frame f = frame_at(vec(manifold.relative.x, manifold.relative.y), vec(manifold.relative.z, manifold.relative.w));
+	Frame f = saved_frame(t);
 	Word code = 0, mask = 0;
 	for (int k = 0;; ++k)
 	{
-		code = saved_code(p->attribute + a, p->attribute + b, (int)(flags & CONTACT_COUNT), c.feature, c.normal, k);
+		code = saved_code(p->attribute + a, p->attribute + b, (int)((Word)t.flags & CONTACT_COUNT), c.feature, c.normal, k);
 		saved_set_manifold(&e, saved_manifold(p, a, b, f, code));
 		if ((code & SAVED_WAY) == SAVED_NO_POINTS || saved_manifold_is(c, e))
 			break;
 	}
 	int bit = 0;
+	if (placed) // save_place saves these values
+		s = t;
+	SAVED_TEST_VALUES(SAVED_DIFFERS_INT, SAVED_DIFFERS_NUMBER)
 	SAVED_CONTACT_VALUES(SAVED_DIFFERS_INT, SAVED_DIFFERS_NUMBER)
+	Word first = (Word)pair.x | code << SAVED_PAIR_BITS;
 	Word traits =
 	    SAVED_ODD | (code >> 8) << SAVED_PAIR_BITS | (placed ? SAVED_PLACED : 0u) | (ahead ? SAVED_AHEAD : 0u);
-	row[SAVED_AXES * by] = float_word(manifold.then.x);
+	row[0] = first;
 	if (mask != 0)
 	{
 		traits |= SAVED_CONTACT_RESTED;
-		GLOBAL Word* rest = saved_rest(p, mask, float_word(manifold.then.x), row + SAVED_AXES * by);
+		GLOBAL Word* rest = saved_rest(p, mask, first, row);
 		bit = 0;
 		if (rest)
 		{
+			SAVED_TEST_VALUES(SAVED_PUT_INT, SAVED_PUT_NUMBER)
 			SAVED_CONTACT_VALUES(SAVED_PUT_INT, SAVED_PUT_NUMBER)
 		}
 	}
-	row[0] = (Word)pair.x | code << SAVED_PAIR_BITS;
 	row[by] = (Word)pair.y | traits;
-	row[SAVED_FLAGS * by] = flags;
-	row[SAVED_RELATIVE * by] = float_word(manifold.relative.x);
-	row[(SAVED_RELATIVE + 1) * by] = float_word(manifold.relative.y);
-	row[(SAVED_RELATIVE + 2) * by] = float_word(manifold.relative.z);
-	row[(SAVED_RELATIVE + 3) * by] = float_word(manifold.relative.w);
-	row[(SAVED_AXES + 1) * by] = float_word(manifold.then.y);
 }
 
 // Clears a free slot.
@@ -172,12 +223,11 @@ INLINE void contact_clear(const Pools* p, int i)
 	p->contact_place[i] = -1;
 }
 
-// Unpacks a contact that save_contact has left out, or a free slot. load_place sets the place of the contact.
+// Unpacks a contact that save_contact has left out, or a free slot. contact_place has the place of the contact.
 KERNEL(load_contact_odd)
 {
 	const GLOBAL Word* row = saved_row(p, contacts, i);
-	size_t by = saved_by(p, contacts);
-	Word first = row[0], traits = row[by], mask, axis = row[SAVED_AXES * by];
+	Word first = row[0], traits = row[saved_by(p, contacts)], mask;
 	if (i >= p->counters->contacts || !(traits & (SAVED_FREE | SAVED_ODD)))
 		return;
 	if (traits & SAVED_FREE)
@@ -185,23 +235,22 @@ KERNEL(load_contact_odd)
 		contact_clear(p, i);
 		return;
 	}
-	const GLOBAL Word* rest = saved_open(p, (traits & SAVED_CONTACT_RESTED) != 0, &axis, &mask);
+	const GLOBAL Word* rest = saved_open(p, (traits & SAVED_CONTACT_RESTED) != 0, &first, &mask);
 	Int2 pair = make_int2((int)(first & SAVED_PAIR_MASK), (int)(traits & SAVED_PAIR_MASK));
-	Word flags = row[SAVED_FLAGS * by], code = first >> SAVED_PAIR_BITS | (traits >> SAVED_PAIR_BITS & 7u) << 8;
+	Word code = first >> SAVED_PAIR_BITS | (traits >> SAVED_PAIR_BITS & 7u) << 8;
 	int a = p->collidable_attribute[pair.x], b = p->collidable_attribute[pair.y];
-	LocalManifold manifold;
-	manifold.relative =
-	    make_float4(bits_float((int)row[SAVED_RELATIVE * by]), bits_float((int)row[(SAVED_RELATIVE + 1) * by]),
-	                bits_float((int)row[(SAVED_RELATIVE + 2) * by]), bits_float((int)row[(SAVED_RELATIVE + 3) * by]));
-	Frame f = frame_at(vec(manifold.relative.x, manifold.relative.y), vec(manifold.relative.z, manifold.relative.w));
-	SavedContact c, e = saved_expected(p, pair, flags, (traits & SAVED_AHEAD) != 0);
-	saved_set_manifold(&e, saved_manifold(p, a, b, f, code));
-	int bit = 0;
+	int placed = (traits & SAVED_PLACED) != 0, bit = 0;
+	SavedTest t, s = placed ? saved_test_at(p, p->contact_place[i]) : saved_test_expected(p, pair);
+	SAVED_TEST_VALUES(SAVED_TAKE_INT, SAVED_TAKE_NUMBER)
+	SavedContact c, e = saved_expected(p, pair, (Word)t.flags, (traits & SAVED_AHEAD) != 0);
+	saved_set_manifold(&e, saved_manifold(p, a, b, saved_frame(t), code));
 	SAVED_CONTACT_VALUES(SAVED_TAKE_INT, SAVED_TAKE_NUMBER)
 
+	LocalManifold manifold;
 	manifold.normal = make_float4(c.normal.x, c.normal.y, c.separation1, c.separation2);
 	manifold.on_a = c.on_a;
-	manifold.then = make_float4(bits_float((int)axis), bits_float((int)row[(SAVED_AXES + 1) * by]), c.reach, c.limit);
+	manifold.relative = t.relative;
+	manifold.then = make_float4(t.axes.x, t.axes.y, c.reach, c.limit);
 	ContactKept kept;
 	ContactRareKept rare_kept;
 	kept.normal_impulse1 = c.kept[0];
@@ -210,10 +259,11 @@ KERNEL(load_contact_odd)
 	kept.tangent_impulse2 = c.kept[3];
 	rare_kept.rolling_impulse = c.kept[4];
 	p->pair[i] = pair;
-	p->contact_flags[i] = flags;
+	p->contact_flags[i] = (Word)t.flags;
 	p->contact_color[i] = c.color;
 	p->contact_bodies[i] = c.bodies;
-	p->contact_place[i] = -1;
+	if (!placed)
+		p->contact_place[i] = -1;
 	p->contact_kept[i] = kept;
 	p->contact_rare_kept[i] = rare_kept;
 	p->contact_feature[i] = c.feature;

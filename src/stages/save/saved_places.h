@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// saved_places.h -- packs the impulses of contacts by their places into a save, and unpacks them; clears what no step or
-// read uses.
+// saved_places.h -- packs impulses, flags and poses of contacts by their places into a save, and unpacks them; clears what
+// no step or read uses.
 #ifndef SAVED_PLACES_H
 #define SAVED_PLACES_H
 #include "stages/save/saved_contacts.h"
 
-// Words of a place: the slot of its contact and flags; the impulses, of which the first word is the place of the rest, if
-// there is one. Padding has no rest, and its second word is its second body.
+// Bits of the first word of a place.
 #define SAVED_SLOT_MASK    ((1u << SAVED_SLOT_BITS) - 1u)
 #define SAVED_PADDING      0x40000000u
 #define SAVED_PLACE_RESTED 0x80000000u
@@ -27,26 +26,42 @@ KERNEL(save_place)
 	if (slot < 0)
 	{
 		row[0] = SAVED_PADDING;
-		row[by] = (Word)contact_row(p, body_b, i);
+		row[SAVED_IMPULSES * by] = (Word)contact_row(p, body_b, i);
 		return;
 	}
 	Word name = (Word)slot, mask = 0, first = float_word(contact_row(p, normal_impulse1, i));
 	SAVED_PLACE_VALUES(SAVED_DIFFERS_NUMBER)
-	row[by] = first;
+	row[SAVED_IMPULSES * by] = first;
 	if (mask != 0)
 	{
 		name |= SAVED_PLACE_RESTED;
-		GLOBAL Word* rest = saved_rest(p, mask, first, row + by);
+		GLOBAL Word* rest = saved_rest(p, mask, first, row + SAVED_IMPULSES * by);
 		bit = 0;
 		if (rest)
 		{
 			SAVED_PLACE_VALUES(SAVED_PUT_NUMBER)
 		}
 	}
+	Float4 relative = p->contact_manifold[slot].relative, then = p->contact_manifold[slot].then;
 	row[0] = name;
-	row[2 * by] = float_word(contact_row(p, normal_impulse2, i));
-	row[3 * by] = float_word(contact_row(p, tangent_impulse1, i));
-	row[4 * by] = float_word(contact_row(p, tangent_impulse2, i));
+	row[(SAVED_IMPULSES + 1) * by] = float_word(contact_row(p, normal_impulse2, i));
+	row[(SAVED_IMPULSES + 2) * by] = float_word(contact_row(p, tangent_impulse1, i));
+	row[(SAVED_IMPULSES + 3) * by] = float_word(contact_row(p, tangent_impulse2, i));
+	row[SAVED_FLAGS * by] = p->contact_flags[slot];
+	row[SAVED_POSE * by] = float_word(relative.x);
+	row[(SAVED_POSE + 1) * by] = float_word(relative.y);
+	row[(SAVED_POSE + 2) * by] = float_word(relative.z);
+	row[(SAVED_POSE + 3) * by] = float_word(relative.w);
+	row[(SAVED_POSE + 4) * by] = float_word(then.x);
+	row[(SAVED_POSE + 5) * by] = float_word(then.y);
+}
+
+// Names the place of each contact that has one, before the contacts are unpacked.
+KERNEL(load_place_name)
+{
+	Word name = *saved_row(p, places, i);
+	if (!(name & SAVED_PADDING))
+		p->contact_place[name & SAVED_SLOT_MASK] = i;
 }
 
 // Returns the color of a place: the last color that begins at this place or before it.
@@ -64,7 +79,7 @@ KERNEL(load_place)
 {
 	const GLOBAL Word* row = saved_row(p, places, i);
 	size_t by = saved_by(p, places);
-	Word name = row[0], mask, first = row[by];
+	Word name = row[0], mask, first = row[SAVED_IMPULSES * by];
 	if (name & SAVED_PADDING)
 	{
 		contact_pad(p, i);
@@ -75,16 +90,15 @@ KERNEL(load_place)
 	const GLOBAL Word* rest = saved_open(p, (name & SAVED_PLACE_RESTED) != 0, &first, &mask);
 	int slot = (int)(name & SAVED_SLOT_MASK), bit = 0;
 	Int2 bodies = p->contact_bodies[slot];
-	p->contact_place[slot] = i;
 	p->contact_color[slot] = saved_color(p, i);
 	p->contact_place_slot[i] = slot;
 	contact_row(p, body_a, i) = bodies.x;
 	contact_row(p, body_b, i) = bodies.y;
 	contact_set_place(p, slot, i);
 	contact_row(p, normal_impulse1, i) = bits_float((int)first);
-	contact_row(p, normal_impulse2, i) = bits_float((int)row[2 * by]);
-	contact_row(p, tangent_impulse1, i) = bits_float((int)row[3 * by]);
-	contact_row(p, tangent_impulse2, i) = bits_float((int)row[4 * by]);
+	contact_row(p, normal_impulse2, i) = bits_float((int)row[(SAVED_IMPULSES + 1) * by]);
+	contact_row(p, tangent_impulse1, i) = bits_float((int)row[(SAVED_IMPULSES + 2) * by]);
+	contact_row(p, tangent_impulse2, i) = bits_float((int)row[(SAVED_IMPULSES + 3) * by]);
 	SAVED_PLACE_VALUES(SAVED_TAKE_NUMBER)
 }
 

@@ -61,6 +61,13 @@ OUT_OF_LINE const GLOBAL Word* saved_open(const Pools* p, int rested, Word* word
 	return rest + 2;
 }
 
+// Words of a place of contacts: the slot of the contact and flags of the place; the impulses, of which the first word is
+// the place of the rest, if there is one; flags and pose of the contact. Padding has no rest, and its second word is its
+// second body.
+#define SAVED_IMPULSES 1
+#define SAVED_FLAGS    5
+#define SAVED_POSE     6 // pose of shape b in the frame of shape a, rotation of shape a
+
 // Writes the lanes where `wanted` is set.
 INLINE void saved_put(GLOBAL int* array, int i, Int x, Int wanted)
 {

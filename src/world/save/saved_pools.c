@@ -8,6 +8,7 @@
 #include "world/device/lasting.h"
 
 _Static_assert(MAX_ITEMS <= 1 << SAVED_PAIR_BITS, "the index of a collidable has more bits");
+_Static_assert(CONTACT_FIXED == 3u << SAVED_PAIR_BITS, "save_contact shares these bits with the upper part of a code");
 _Static_assert(MAX_CONTACTS <= 1 << SAVED_SLOT_BITS, "the index of a slot has more bits");
 
 // The members of the pools `body` and `motion` that steps change are packed too.
@@ -170,6 +171,7 @@ scree_status saved_words_run(const scree_world* world, const Save* save, bool ba
 		int save, load;
 	} kernels[] = {{POOL_pose, KERNEL_save_body, KERNEL_load_body},
 	               {POOL_box, KERNEL_save_collidable, KERNEL_load_collidable},
+	               {POOL_contact_place_slot, NO_KERNEL, KERNEL_load_place_name},
 	               {POOL_pair, KERNEL_save_contact, KERNEL_load_contact},
 	               {POOL_pair, KERNEL_save_contact_odd, KERNEL_load_contact_odd},
 	               {POOL_contact_place_slot, KERNEL_save_place, KERNEL_load_place},
