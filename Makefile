@@ -94,7 +94,7 @@ bench: build ## measure on the CPU, and on the GPU if there is one, for some min
 	@tools/packages.sh gnuplot-nox
 	@bench/bench.sh $(NAME)
 
-lists: ## write the tables of docs/scenes.md and docs/view.md, and the schema of scene files
+lists: ## write the tables of docs/manual/scenes.md and docs/manual/view.md, and the schema of scene files
 	@tools/packages.sh $(build_packages)
 	@cmake --preset release --log-level=NOTICE
 	@cmake --build --preset release --target scene_lists

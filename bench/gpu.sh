@@ -17,7 +17,7 @@
 #   SLEEP_OPTIONS    further options of scree_sleep, for example --sleepers 99000
 #   CURVES=yes       also runs bench/curves.sh
 #   LIMIT (240)      maximum seconds of a run
-#   FIGURES=yes      draws the figures of docs/paper.md
+#   FIGURES=yes      draws the figures of docs/measurements/paper.md
 # BENCH, FRAMES, QUERIES, RAYS or SLEEP with the value none skips its part. Exit 1 when a hash or a picture differs or a row is
 # invalid.
 set -euo pipefail

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# validate.sh -- writes the table of docs/validate.md from the CSV of scree validate.
+# validate.sh -- writes the table of docs/measurements/validate.md from the CSV of scree validate.
 #
 # usage: bench/validate.sh [FOLDER]
 #   FOLDER  holds before.csv, now.csv and box2d.csv, each optional; default bench/results/validate
-# Replaces the rows between the two marks in docs/validate.md by new rows with the values and their limits. A value beyond its limit
+# Replaces the rows between the two marks in docs/measurements/validate.md by new rows with the values and their limits. A value beyond its limit
 # is bold. Values of Box2D are never bold, because the limits are for Scree.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
 folder=${1:-bench/results/validate}
-document=docs/validate.md
+document=docs/measurements/validate.md
 files=()
 for name in before now box2d; do
 	[ -e "$folder/$name.csv" ] && files+=("$folder/$name.csv")

@@ -74,18 +74,18 @@ static const Option layers = {"layers", 'L', "NAME,...",
 #undef X
                               ,
                               TEXT(Options, layers)};
-static const Option script = {"script", 'x', "FILE", "file of user actions, one per line: docs/view.md",
+static const Option script = {"script", 'x', "FILE", "file of user actions, one per line: docs/manual/view.md",
                               TEXT(Options, script)};
-static const Option record = {"record", 'o', "FILE", "record all calls, for scree replay: docs/recording.md",
+static const Option record = {"record", 'o', "FILE", "record all calls, for scree replay: docs/manual/recording.md",
                               TEXT(Options, record)};
 static const Option hash_interval = {"hash-interval", 'i', "N",
                                      "steps from one hash of the recording to the next; 0: only the last; default 60",
                                      OTHER(read_hash_interval)};
 static const Option recovery_interval = {
     "recovery-interval", 'I', "N",
-    "steps from one kept state to the next, with which a run goes on on the CPU if the device fails: docs/faults.md",
+    "steps between kept states, from one of which a run goes on on the CPU if the device fails: docs/manual/faults.md",
     NUMBER(Options, recovery_interval, 999999999)};
-static const Option save = {"save", 'W', "FILE", "write a snapshot of the last state: docs/snapshots.md",
+static const Option save = {"save", 'W', "FILE", "write a snapshot of the last state: docs/manual/snapshots.md",
                             TEXT(Options, save)};
 static const Option load = {"load", 'O', "FILE", "begin with the state of a snapshot of the same scene",
                             TEXT(Options, load)};
@@ -97,11 +97,11 @@ static const Option queries = {"queries", 'Q', "N", "number of queries of each k
 static const Option repeats = {"repeats", 'r', "N", "runs of each scene or kind of query; default 3",
                                NUMBER(Options, repeats, 1000)};
 static const Option whole = {"whole", 'w', NULL,
-                             "measure whole runs, including the time to open the device: docs/auto.md",
+                             "measure whole runs, including the time to open the device: docs/manual/auto.md",
                              SWITCH(Options, whole)};
 static const Option names = {"names", 'N', NULL, "print only names, one per line", SWITCH(Options, names)};
 static const Option test = {"test", 'E', NULL,
-                            "test now whether the bits of each device are those of the CPU: docs/determinism.md",
+                            "test now whether the bits of each device are those of the CPU: docs/manual/devices.md",
                             SWITCH(Options, test)};
 static const Option quick = {"quick", 'q', NULL, "fewer and shorter runs: seconds instead of minutes",
                              SWITCH(Options, quick)};

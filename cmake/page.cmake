@@ -1,4 +1,4 @@
-# page.cmake -- builds the WebAssembly of the page, with scenes and with the renderer of view/ for WebGL 2. docs/web_page.md
+# page.cmake -- builds the WebAssembly of the page, with scenes and with the renderer of view/ for WebGL 2. docs/manual/web_page.md
 # describes the page.
 include(cmake/glsl.cmake)
 

@@ -91,8 +91,8 @@ SCREE_SCENES=own expect 0 'pyramid' scenes --names
 SCREE_SCENES=nowhere refuse 1 'SCREE_SCENES is "nowhere", which is no folder' scenes
 SCREE_SCENES=nowhere refuse 2 'SCREE_SCENES is "nowhere", which is no folder' run pyramid "${small[@]}"
 
-# the first scene of docs/scenes.md is valid
-sed -n '/^```json$/,/^```$/p' "$SCREE_SOURCE/docs/scenes.md" | sed '1d;$d' >wall.json
+# the first scene of docs/manual/scenes.md is valid
+sed -n '/^```json$/,/^```$/p' "$SCREE_SOURCE/docs/manual/scenes.md" | sed '1d;$d' >wall.json
 expect 0 'bodies         82' run wall.json --steps 2 --device cpu
 expect 0 'bodies         10' run wall.json --steps 2 --device cpu --set rows=1
 

@@ -11,7 +11,7 @@ complain()
 }
 
 # each text in back quotes that looks like a path of this repository must be a path that exists; it may contain a *
-for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md SECURITY.md .github/*.md docs/*.md; do
+for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md SECURITY.md .github/*.md docs/*.md docs/*/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
@@ -22,11 +22,12 @@ for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md 
 	done < <(sed '/^```/,/^```/d' "$document" | grep -oE '\]\([^)#]+' | cut -c 3- | grep -v '^https\?:' | sort -u)
 done
 
-# the index lists each page once
-for page in docs/*.md; do
-	page=${page#docs/}
-	[ "$page" = README.md ] || [ "$(grep -c "^| \[$page\]($page) |" docs/README.md)" = 1 ] ||
-		complain "docs/README.md: $page must have one row"
+# two indexes list each page once: docs/manual/README.md those of its folder, docs/README.md all others
+for page in docs/*.md docs/*/*.md; do
+	[[ $page != */README.md ]] || continue
+	index=$([[ $page = docs/manual/* ]] && echo docs/manual || echo docs)
+	path=${page#"$index"/}
+	[ "$(grep -c "^| \[[^]]*\]($path) |" "$index/README.md")" = 1 ] || complain "$index/README.md: $path must have one row"
 done
 
 # the README shows the first program unchanged
@@ -49,18 +50,18 @@ for folder in bench cli scene tests view web src/*/; do
 		grep -E '\.(awk|c|cl|cmake|cpp|def|frag|glsl|h|html|js|json|md|mjs|sh|txt|vert)$|/$' | sort -u)
 done
 
-# docs/step.md has a line for every kernel; a kernel that exists for each kind of constraint has a line for each kind
-steps=$(<docs/step.md)
+# docs/design/step.md has a line for every kernel; a kernel that exists for each kind of constraint has a line for each kind
+steps=$(<docs/design/step.md)
 while read -r kernel; do
-	[[ $steps = *"\`$kernel\`"* ]] || complain "docs/step.md: kernel $kernel is missing"
+	[[ $steps = *"\`$kernel\`"* ]] || complain "docs/design/step.md: kernel $kernel is missing"
 done < <(sed -nE 's/^CONSTRAINT_KIND\(([a-z]+),.*/\1/p' src/pools/kinds.def | while read -r kind; do
 	sed -nE -e '/^\/\//d' -e "s/kind##/$kind/" -e 's/^.*X\(([a-z_0-9]*),.*/\1/p' src/stages/kernels.def
 done | sort -u)
 
-# docs/dialect.md has a line for every word of the dialect, except words that only other words use
-words=$(<docs/dialect.md)
+# docs/design/dialect.md has a line for every word of the dialect, except words that only other words use
+words=$(<docs/design/dialect.md)
 while read -r word; do
-	[[ $words = *"\`$word"[\`\(]* ]] || complain "docs/dialect.md: the word $word is missing"
+	[[ $words = *"\`$word"[\`\(]* ]] || complain "docs/design/dialect.md: the word $word is missing"
 done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9]+\*? ([a-z_0-9]+)\(.*/\1/p' \
 	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/{dialect,opencl_words,c_words,wide}.h |
 	grep -vxE '(DIALECT|OPENCL_WORDS|C_WORDS|WIDE)_H|ROW|KERNEL_JOIN_?' | sort -u)

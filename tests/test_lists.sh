@@ -7,6 +7,6 @@ set -euo pipefail
 folder=$(mktemp -d "$SCREE_BUILD/test_lists.XXXXXX")
 trap 'rm -rf "$folder"' EXIT
 bash "$SCREE_SOURCE/tools/lists.sh" "$SCREE_BUILD/tests" "$folder"
-for file in scenes/scene.schema.json docs/scenes.md docs/view.md; do
+for file in scenes/scene.schema.json docs/manual/scenes.md docs/manual/view.md; do
 	diff -u "$SCREE_SOURCE/$file" "$folder/$file" || { echo "$file: make lists writes it"; exit 1; }
 done

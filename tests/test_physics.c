@@ -442,7 +442,7 @@ static void add_stack(scree_world* world, scree_body* boxes, int count)
 }
 
 // A stack of 20 boxes stands for 60 s. The contacts are soft, but the arms of their points are fixed, so the stack does
-// not buckle (docs/manifolds.md). The stack sways by some centimeters after 5 s, and by millimeters after 60 s. Heights
+// not buckle (docs/design/manifolds.md). The stack sways by some centimeters after 5 s, and by millimeters after 60 s. Heights
 // are exact except for a slop of 5 mm per box.
 static void stack_stands(void** state)
 {

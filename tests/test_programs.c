@@ -83,7 +83,7 @@ static void reads_change_nothing(void** state)
 	check_variant(&variants[0], quick() ? 50 : 400, (Place){.reads = true});
 }
 
-// Checks that a world whose device fails between calls goes on with the same bits (docs/faults.md).
+// Checks that a world whose device fails between calls goes on with the same bits (docs/manual/faults.md).
 static void failures_change_nothing(void** state)
 {
 	(void)state;
@@ -92,7 +92,7 @@ static void failures_change_nothing(void** state)
 	check_variant(&variants[0], quick() ? 50 : 300, (Place){.faults = true});
 }
 
-// Checks that devices that flush denormals to 0 leave the same bits (docs/determinism.md).
+// Checks that devices that flush denormals to 0 leave the same bits (docs/design/determinism.md).
 static void denormals_change_nothing(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_rename.sh -- checks that tools/rename.sh ports a program with old names, which then compiles. docs/names.md lists the names.
+# test_rename.sh -- checks that tools/rename.sh ports a program with old names, which then compiles. docs/manual/names.md lists the names.
 set -uo pipefail
 source=${SCREE_SOURCE:?is the folder of the sources}
 header=$source/include/scree/scree.h
@@ -25,7 +25,7 @@ expect()
 	grep -qF -- "$text" out || { fail "rename.sh $*: does not say \"$text\", but"; cat out; }
 }
 
-# checks that scree.h has each new name of docs/names.md, has each new member in the struct of its row, and has no old name
+# checks that scree.h has each new name of docs/manual/names.md, has each new member in the struct of its row, and has no old name
 struct_of()
 {
 	sed -n "/^typedef struct $1\b/,/^} $1;/p" "$header" | sed 's://.*::'
@@ -33,15 +33,15 @@ struct_of()
 rows=0
 while read -r old new; do
 	rows=$((rows + 1))
-	grep -qw "$new" "$header" || fail "docs/names.md: scree.h has no $new"
-	grep -qw "$old" "$header" && fail "docs/names.md: scree.h still has $old"
-done < <(sed -nE 's/^\| `(scree_[a-z_]+|SCREE_[A-Z_]+)` \| `(scree_[a-z_]+|SCREE_[A-Z_]+)` \|.*/\1 \2/p' "$source/docs/names.md")
+	grep -qw "$new" "$header" || fail "docs/manual/names.md: scree.h has no $new"
+	grep -qw "$old" "$header" && fail "docs/manual/names.md: scree.h still has $old"
+done < <(sed -nE 's/^\| `(scree_[a-z_]+|SCREE_[A-Z_]+)` \| `(scree_[a-z_]+|SCREE_[A-Z_]+)` \|.*/\1 \2/p' "$source/docs/manual/names.md")
 while read -r struct old new; do
 	rows=$((rows + 1))
-	struct_of "$struct" | grep -qw "$new" || fail "docs/names.md: $struct has no member $new"
-	struct_of "$struct" | grep -qw "$old" && fail "docs/names.md: $struct still has the member $old"
-done < <(sed -nE 's/^\| `(scree_[a-z_]+)` \| `([a-z_]+)` \| `([a-z_]+)` \| (by struct|everywhere) \|$/\1 \2 \3/p' "$source/docs/names.md")
-[ $rows -ge 28 ] || fail "docs/names.md: has only $rows names"
+	struct_of "$struct" | grep -qw "$new" || fail "docs/manual/names.md: $struct has no member $new"
+	struct_of "$struct" | grep -qw "$old" && fail "docs/manual/names.md: $struct still has the member $old"
+done < <(sed -nE 's/^\| `(scree_[a-z_]+)` \| `([a-z_]+)` \| `([a-z_]+)` \| (by struct|everywhere) \|$/\1 \2 \3/p' "$source/docs/manual/names.md")
+[ $rows -ge 28 ] || fail "docs/manual/names.md: has only $rows names"
 
 # a program with every old name, and with a name of its own that must not change
 cat >game.c <<'C'

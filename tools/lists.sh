@@ -4,7 +4,7 @@
 #
 # usage: tools/lists.sh TESTS [FOLDER]
 #   TESTS   folder of the test programs, which contains scene_lists
-#   FOLDER  folder for scenes/scene.schema.json, docs/scenes.md and docs/view.md; default: the sources
+#   FOLDER  folder for scenes/scene.schema.json, docs/manual/scenes.md and docs/manual/view.md; default: the sources
 set -euo pipefail
 . "${BASH_SOURCE[0]%/*}/usage.sh"
 source=${BASH_SOURCE[0]%/*}/..
@@ -41,10 +41,10 @@ paints()
 	sed -nE 's/^X\([A-Z]+, "(.+)", "(.+)"\)$/| `\1` | \2 |/p' "$source/view/paints.def"
 }
 
-mkdir -p "$folder/scenes" "$folder/docs"
+mkdir -p "$folder/scenes" "$folder/docs/manual"
 schema=$("$program" schema)
-scenes=$(replace tables "$program" tables <"$source/docs/scenes.md")
-view=$(replace keys keys <"$source/docs/view.md" | replace layers layers | replace paints paints)
+scenes=$(replace tables "$program" tables <"$source/docs/manual/scenes.md")
+view=$(replace keys keys <"$source/docs/manual/view.md" | replace layers layers | replace paints paints)
 echo "$schema" >"$folder/scenes/scene.schema.json"
-echo "$scenes" >"$folder/docs/scenes.md"
-echo "$view" >"$folder/docs/view.md"
+echo "$scenes" >"$folder/docs/manual/scenes.md"
+echo "$view" >"$folder/docs/manual/view.md"

@@ -453,7 +453,7 @@ function unit(path, name, k)
 
 function print_head(k, warnings)
 {
-	print "//\n// scree_all.c -- the CPU library of Scree as one file, written by tools/one_file.sh. docs/building.md describes its options."
+	print "//\n// scree_all.c -- the CPU library of Scree as one file, written by tools/one_file.sh. docs/manual/building.md describes its options."
 	print "#define _GNU_SOURCE\n#define SCREE_BUILDING\n#define SCREE_NO_OPENCL"
 	print "// the numbers of lanes that are compiled, as a sum of 1, 4, 8 and 16; 8 and 16 are for x86-64"
 	print "#ifndef SCREE_LANES\n#ifdef __x86_64__\n#define SCREE_LANES 29\n#else\n#define SCREE_LANES 5\n#endif\n#endif"

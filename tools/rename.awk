@@ -1,9 +1,9 @@
 # rename.awk -- ports one file to the new names: prints the changed file, and writes ambiguous names to the file `report`.
 #
 # usage: awk -v language=c|js -v file=NAME -v report=FILE -v open_end=0|1 -f rename.awk -f rename_tokens.awk -f rename_c.awk
-#        -f rename_js.awk docs/names.md FILE
+#        -f rename_js.awk docs/manual/names.md FILE
 #
-# The first file, docs/names.md, has the tables of names. rename_tokens.awk splits the second into tokens. open_end is 1 if its last
+# The first file, docs/manual/names.md, has the tables of names. rename_tokens.awk splits the second into tokens. open_end is 1 if its last
 # line has no newline. tools/rename.sh runs this script.
 
 # ---------------------------------------------------------------------------------------------------------------

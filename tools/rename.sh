@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# rename.sh -- changes programs that use Scree to the new names of docs/names.md: C, C++ and JavaScript files, in place.
+# rename.sh -- changes programs that use Scree to the new names of docs/manual/names.md: C, C++ and JavaScript files, in place.
 #
 # usage: tools/rename.sh FILE...
 #
@@ -11,7 +11,7 @@
 set -euo pipefail
 . "$(dirname "$0")/usage.sh"
 tools=$(cd "$(dirname "$0")" && pwd)
-names=$tools/../docs/names.md
+names=$tools/../docs/manual/names.md
 program=(-f "$tools/rename.awk" -f "$tools/rename_tokens.awk" -f "$tools/rename_c.awk" -f "$tools/rename_js.awk")
 refuse()
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scene_lists.c -- prints scenes/scene.schema.json (scene_lists schema) or the tables of docs/scenes.md (scene_lists
+// scene_lists.c -- prints scenes/scene.schema.json (scene_lists schema) or the tables of docs/manual/scenes.md (scene_lists
 // tables).
 //
 // Both are made from scene/format.def. tools/lists.sh writes them to the sources; tests/test_lists.sh compares them.

@@ -8,7 +8,7 @@
 
 #define VISITORS 100
 #define SLACK    1e-4 // m: tolerance of the distance from the surface of a sensor, which is at rest
-#define DEPTH    1e-3 // m: a visit within a step needs at least this overlap (docs/events.md)
+#define DEPTH    1e-3 // m: a visit within a step needs at least this overlap (docs/manual/events.md)
 
 typedef struct
 {

@@ -2,7 +2,7 @@
 // shared_rows.h -- fills an OpenGL buffer with the rows that a renderer draws: the device writes them, or the host
 // copies them.
 //
-// All functions need a current OpenGL context. docs/share.md lists the drivers that support each kind of sharing.
+// All functions need a current OpenGL context. docs/manual/share.md lists the drivers that support each kind of sharing.
 #ifndef SHARED_ROWS_H
 #define SHARED_ROWS_H
 #include "scree/scree.h"

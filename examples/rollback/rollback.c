@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// rollback.c -- an example of rollback: a game for two peers over UDP, one on the CPU and one on a GPU. docs/lockstep.md explains it.
+// rollback.c -- an example of rollback: a game for two peers over UDP, one on the CPU and one on a GPU. docs/manual/lockstep.md explains it.
 //
 // The program uses only the public interface of Scree and sockets of POSIX. rollback_game.c and rollback_rules.c are the game,
 // rollback_session.c predicts and rolls back, rollback_peer.c is the loop of a peer.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rollback_game.h -- a game for two players: they push each other and crates off a platform, and throw balls.
 //
-// The game follows the rules of docs/lockstep.md: a frame is a function of the state and of the inputs, and nothing else.
+// The game follows the rules of docs/manual/determinism.md: a frame is a function of the state and of the inputs, and nothing else.
 #ifndef ROLLBACK_GAME_H
 #define ROLLBACK_GAME_H
 #include <scree/scree.h>

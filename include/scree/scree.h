@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // scree.h -- the public interface of Scree, a 2D rigid body physics engine with bit-identical results on CPU and GPU.
 //
-// This header is also the manual. The shortest program is examples/hello.c.
+// This header has the units, ranges and errors of all functions. docs/manual/README.md is the manual, in an order to read;
+// the shortest program is examples/hello.c.
 //
 // Terms. "attribute" and "collidable" are the words of the paper by Girgis and Wells, GPGPU Acceleration for Video Game
 // Physics Engines. An attribute is a shape with its material; Box2D calls it a shape definition (b2ShapeDef). A
@@ -13,7 +14,7 @@
 //
 // Threads. Only one thread at a time may use a world, except for the functions listed at scree_world_prepare_queries.
 // Different threads may use different worlds at the same time. The threads of an engine can do the work of a world in
-// place of those of the library: scree_world_def.tasks. See docs/threads.md.
+// place of those of the library: scree_world_def.tasks. See docs/manual/threads.md.
 //
 // Errors. Every function that can fail returns a scree_status. If the status is not SCREE_OK, nothing has changed,
 // except where noted, and scree_error() returns one sentence that names the argument and its value. A null pointer, a
@@ -232,7 +233,7 @@ static inline scree_status scree_devices_get(scree_device* devices, int capacity
 //
 // scree_world_create and scree_world_move test a device without a verdict, so that programs need not call this
 // function. The test takes less than a second, but on a GPU the first build of the stages takes minutes. Verdicts are
-// stored per version of the driver and of Scree in the folder of compiled programs (docs/determinism.md).
+// stored per version of the driver and of Scree in the folder of compiled programs (docs/manual/devices.md).
 SCREE_API scree_status scree_device_test(const char* device);
 
 // Returns one sentence that names what to install to get an OpenCL device, or an empty string if there is one. The
@@ -313,7 +314,7 @@ typedef struct scree_world_def
 	float sleep_threshold;
 	// s, 0 to INFINITY: maximum time that a call waits for the commands of an OpenCL device; then the call fails with
 	// SCREE_ERROR_DEVICE_FAILED. 0 (default): 10 s for a GPU; no limit for a CPU, which is never lost and may compile
-	// kernels at their first launch for minutes. INFINITY: no limit. See docs/faults.md.
+	// kernels at their first launch for minutes. INFINITY: no limit. See docs/manual/faults.md.
 	float device_timeout;
 	// Steps from one kept state to the next, at least 0. A world on an OpenCL device that fails goes on on the CPU from the
 	// last kept state (see "Devices that fail"). 0 (default): no state is kept. Has no effect while a world is on the CPU.
@@ -327,7 +328,7 @@ typedef struct scree_world_def
 	// in kg/units^2, and ranges too: sizes from 1 mm to SCREE_MAX_COORDINATE metres. Tolerances scale (scree_units), so the motion
 	// is the one in metres, up to rounding; with a power of two it has the same bits. Thresholds and limits stay in metres, so their
 	// defaults hold: contact_push_speed, restitution_threshold, max_speed, hit_speed, hit_impulse, sleep_threshold, also in
-	// scree_tuning and scree_body_def. Shapes are made for metres: see scree_shape_scale. docs/units.md
+	// scree_tuning and scree_body_def. Shapes are made for metres: see scree_shape_scale. docs/manual/units.md
 	float length_unit;
 } scree_world_def;
 
@@ -341,7 +342,7 @@ static inline scree_world_def scree_world_def_default(void);
 // With device "auto" the world starts on the CPU. scree_world_step moves the world to a GPU if steps are faster there,
 // and back if steps are faster on the CPU, and logs both times (SCREE_LOG_INFO). A background thread opens the GPU once
 // the world is large enough to gain from a GPU. A GPU that fails, or whose results differ from those of the CPU, is
-// logged and not used. A move changes no bit of the world. docs/auto.md has the rules.
+// logged and not used. A move changes no bit of the world. docs/manual/auto.md has the rules.
 SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_world** world);
 
 // Destroys a world and everything in it. world may be null.
@@ -423,7 +424,7 @@ SCREE_API const char* scree_world_get_device(const scree_world* world);
 // as after scree_world_step.
 SCREE_API scree_status scree_world_move(scree_world* world, const char* device);
 
-// Devices that fail (docs/faults.md). If scree_world_def.recovery_interval is N, above 0, the state of a world on an OpenCL
+// Devices that fail (docs/manual/faults.md). If scree_world_def.recovery_interval is N, above 0, the state of a world on an OpenCL
 // device is kept in host memory every N steps, and so are the arguments of all calls since. A call during which the device
 // fails brings the world to the CPU: into the kept state, then through the calls since. It then does its work there and
 // returns its usual status. It logs one warning, and makes no further call to the device. The world goes on with the same
@@ -441,7 +442,7 @@ SCREE_API int scree_world_get_lanes(const scree_world* world);
 // Computes a 64-bit hash of all simulated state. Worlds with equal state have equal hashes on every device.
 SCREE_API scree_status scree_world_get_hash(scree_world* world, uint64_t* hash);
 
-// Snapshots (docs/snapshots.md). A snapshot contains the whole state of a world: it is restored on any device, by this
+// Snapshots (docs/manual/snapshots.md). A snapshot contains the whole state of a world: it is restored on any device, by this
 // or a later version of the library, on any processor with little-endian numbers, and the world goes on with the same
 // bits. Handles, user data and the events of the last step are as they were.
 
@@ -468,8 +469,8 @@ SCREE_API scree_status scree_world_clone(scree_world* world, const scree_world_d
 
 typedef struct scree_difference // a column of values in which two snapshots differ
 {
-	char column[64];           // "body.values", or "pool.pose+8" for a pool and a byte in its items: docs/snapshots.md
-	char word[32];             // name of the word at this byte: "cos"; empty if it has none
+	char column[64]; // "body.values", or "pool.pose+8" for a pool and a byte in its items: docs/manual/snapshots.md
+	char word[32];   // name of the word at this byte: "cos"; empty if it has none
 	int count_a, count_b;      // number of items in each snapshot
 	int items;                 // number of items that differ; those that one snapshot lacks differ
 	int item;                  // first item that differs
@@ -482,7 +483,7 @@ typedef struct scree_difference // a column of values in which two snapshots dif
 static inline scree_status scree_snapshots_compare(const void* a, size_t size_a, const void* b, size_t size_b,
                                                    scree_difference* differences, int capacity, int* count);
 
-// Recordings (docs/recording.md). A recording contains a snapshot, all later calls that change the world, with their
+// Recordings (docs/manual/recording.md). A recording contains a snapshot, all later calls that change the world, with their
 // arguments and results, and hashes of the world. It is repeated on any device, by this or a later version of the
 // library, and the replay finds the first step that differs.
 
@@ -682,7 +683,7 @@ typedef struct scree_shape
 
 // Functions that make a shape. Lengths are in m. The functions fail with SCREE_ERROR_INVALID if a value is not finite,
 // a size is below 1 mm, or a coordinate exceeds SCREE_MAX_COORDINATE. Bodies of 4 cm and more suit the solver best.
-// Smaller bodies, down to 2 mm, also come to rest, but heaps of them need at least 4 substeps (docs/manifolds.md,
+// Smaller bodies, down to 2 mm, also come to rest, but heaps of them need at least 4 substeps (docs/design/manifolds.md,
 // "Small bodies").
 
 // Makes a box around the origin, a polygon of 4 corners; half sizes in m.
@@ -730,7 +731,7 @@ typedef struct scree_attribute_def
 	float tangent_speed; // speed of a conveyor belt along the surface, m/s, within SCREE_MAX_COORDINATE, default 0;
 	                     // clockwise around the shape if positive, so that a body on top moves to the right
 	// A vector other than 0 makes the shape a one-way platform: it is solid only for bodies that come from the side to
-	// which the vector points. The vector is in the frame of the shape, at least 1e-3 long; default 0. docs/rules.md
+	// which the vector points. The vector is in the frame of the shape, at least 1e-3 long; default 0. docs/manual/rules.md
 	// has the rules.
 	scree_vec one_way;
 	int material; // 0 to 255, default 0: the material for scree_world_set_material_pair
@@ -1125,7 +1126,7 @@ SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body bo
 // Sleep. If scree_world_def.sleep is set, bodies at rest fall asleep: they have velocity 0, do not move, and cost less.
 // Dynamic bodies that touch or are joined form an island, and an island falls asleep and wakes as a whole. Static and
 // kinematic bodies never sleep and connect nothing, so crates side by side on the ground are islands of their own.
-// docs/sleep.md has more.
+// docs/manual/sleep.md has more.
 //
 // An island falls asleep when all of its bodies have been at rest for 0.5 s (scree_world_def.sleep_threshold), or up to
 // 8 steps later. It stays awake while scree_body_def.stays_awake is set for one of its bodies, while it touches or is
@@ -1419,7 +1420,7 @@ SCREE_API scree_status scree_path_set_user(scree_world* world, scree_path path, 
 // Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual. A joint
 // between two bodies that cannot move, or with a disabled body, has no effect.
 //
-// Method: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024. docs/joints.md has the formulas, and
+// Method: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024. docs/manual/joints.md has the formulas, and
 // the equivalents of the joint types of other engines.
 // ---------------------------------------------------------------------------------------------------------------
 
@@ -1519,7 +1520,7 @@ typedef struct scree_joint_def
 	scree_joint_coordinate coordinates[3];
 	// Stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors are not corrected. The effective
 	// frequency of locks, limits and springs is at most a quarter of the substep rate; joints in a row are stiffer
-	// (docs/joints.md).
+	// (docs/manual/joints.md).
 	float hertz;
 	float damping_ratio;    // damping ratio of locks and limits, 0 to 1e6, default 2
 	bool collide_connected; // true: the two bodies may touch each other; default false
@@ -1869,7 +1870,7 @@ SCREE_API scree_status scree_world_set_hit_thresholds(scree_world* world, float 
 //
 // Queries find collidables in the current world, including changes since the last step: the first collidable that a ray
 // or a moving shape meets, all collidables that it meets, all that overlap a shape, or the nearest one. Queries change
-// no bit of the world. Results and their order are the same on all devices. docs/queries.md has examples and times.
+// no bit of the world. Results and their order are the same on all devices. docs/manual/queries.md has examples and times.
 //
 // One call takes one query or a million. On a GPU a call costs about 70 us even for one query, so put many into one
 // call. The first call after a step or a change computes boxes of all collidables that can move: 25 ns each on one CPU
@@ -2085,7 +2086,7 @@ typedef struct scree_mover
 // Movers do not collide with each other, and push no body (scree_movers_move_bodies does). Add gravity to a velocity in
 // the air. On ground, a velocity component opposite to `up` is set to 0, and a component along `up` is a jump. def may
 // be null for the default. A call makes ten to twenty batches of queries for any number of movers; the bits are the
-// same on every device. On failure movers are unchanged.
+// same on every device. On failure movers are unchanged. docs/manual/movers.md describes the parts of a call.
 SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
                                          float dt);
 
@@ -2112,7 +2113,7 @@ SCREE_API scree_status scree_movers_move_bodies(scree_world* world, const scree_
 // A field pushes the dynamic bodies in a region in each step: by an additional gravity, attraction, a vortex, drag,
 // wind, or a fluid in which they float. Its region is a shape that lies in the world or on a body, or the whole plane.
 // The forces of several fields add up. The force of a step is computed at the poses in the middle of the step and the
-// velocities at its start; docs/fields.md has the formulas. Fields cost nothing in a world without fields.
+// velocities at its start; docs/manual/fields.md has the formulas. Fields cost nothing in a world without fields.
 //
 // Types UNIFORM, RADIAL, VORTEX and DRAG act on a body, at its center of mass, if the center is in the region. WIND
 // acts on each collidable whose middle is in the region, BUOYANCY on the part of each collidable that is in the region.
@@ -2254,7 +2255,7 @@ SCREE_API scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose 
 // One row per collidable, laid out for a vertex buffer: row k is the collidable whose handle has the index k + 1.
 // scree_world_get_render_rows copies the rows to the host. If scree_world_get_sharing returns SCREE_SHARING_MEMORY or
 // SCREE_SHARING_OPENGL, the rows can stay on the device: share a buffer from which OpenGL draws, and
-// scree_world_write_render_rows writes into it. Copied and shared rows have the same bits. docs/share.md has an
+// scree_world_write_render_rows writes into it. Copied and shared rows have the same bits. docs/manual/share.md has an
 // example.
 
 typedef struct scree_render_row // 32 bytes
@@ -2310,7 +2311,7 @@ SCREE_API scree_status scree_world_write_interpolated_rows(scree_world* world, f
 // Clock
 //
 // Divides the time of frames into steps of one length. No world refers to a clock, and no recording contains one.
-// docs/time.md describes slow motion, pause and long frames.
+// docs/manual/time.md describes slow motion, pause and long frames.
 //
 //     scree_clock clock = scree_clock_default(1.0f / 60.0f);
 //     // each frame; seconds: time since the last frame
@@ -2375,7 +2376,7 @@ static inline int scree_clock_advance(scree_clock* clock, double seconds)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// Debug draw (docs/debug_draw.md)
+// Debug draw (docs/manual/debug_draw.md)
 //
 // One call hands everything in a part of the world to functions of the program: lines, filled polygons, circles and
 // capsules, points and texts, with colors. It reads each array of the device once, whatever the number of shapes.

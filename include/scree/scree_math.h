@@ -6,7 +6,7 @@
 // Determinism. Sums of products are computed in double and rounded once to float. The product of two floats is exact in
 // double, so the result has the same bits whether or not a compiler fuses products and sums. Angles become rotations in the
 // library, by scree_rot_make. A compiler may still fuse a product that a function returns with a sum of the program, and
-// -ffast-math changes any bits: docs/lockstep.md has the options for a game that gives results to the library.
+// -ffast-math changes any bits: docs/manual/determinism.md has the options for a game that gives results to the library.
 #ifndef SCREE_MATH_H
 #define SCREE_MATH_H
 

@@ -2,7 +2,7 @@
 // dialect.h -- hides the differences between C and OpenCL C; no other file of the kernels tests the compiler.
 //
 // Wide kernels compute with Real and Int: float and int on a GPU, vectors of LANES numbers on a CPU. Kernels that
-// branch on an item are compiled with LANES 1, because a branch on a vector does not compile. Names: docs/dialect.md.
+// branch on an item are compiled with LANES 1, because a branch on a vector does not compile. Names: docs/design/dialect.md.
 #ifndef DIALECT_H
 #define DIALECT_H
 

@@ -2,7 +2,7 @@
 // finite.h -- keeps state finite and normal: neither NaN nor a denormal is stored, and sums of the user's values are
 // clamped to the finite numbers.
 // Devices agree on which results are NaN, but not on the sign and the payload of a NaN. Some devices flush denormals to
-// 0, so values that can lead to one are set to 0 long before (docs/determinism.md).
+// 0, so values that can lead to one are set to 0 long before (docs/design/determinism.md).
 #ifndef FINITE_H
 #define FINITE_H
 #include "dialect/vec.h"
@@ -36,7 +36,7 @@
 
 // Returns true for NaN and for numbers of at least `least` or, if negative, at most -least. Several lanes compare the
 // bits, because integers take 1 cycle and floats 4; and so does OpenCL on a CPU, because PoCL 6 aborts when it compiles
-// some kernels that compare the floats (docs/opencl.md).
+// some kernels that compare the floats (docs/design/opencl.md).
 #if defined(CALLS) || LANES > 1
 INLINE Int not_below(Real x, float least) { return (real_bits(x) & 0x7fffffff) >= float_bits(least); }
 #else

@@ -2,7 +2,7 @@
 // arithmetic_test.c -- tests the arithmetic of a device: one kernel computes 100,000 results of the operations in
 // arithmetic.def, and the CPU the same. The CPU itself is tested by cpu/self_test.c.
 //
-// Devices may flush denormals to 0, since these decide no bit (docs/determinism.md). So results with a denormal operand
+// Devices may flush denormals to 0, since these decide no bit (docs/design/determinism.md). So results with a denormal operand
 // or a denormal intermediate result only tell whether the device keeps them. Likewise a compiler may simplify operations
 // with a constant 0. All other results must be equal, except for the bits of a NaN.
 #include "opencl/arithmetic_test.h"

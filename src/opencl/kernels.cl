@@ -4,7 +4,7 @@
 #include "opencl/primitives.cl"
 
 // Variants of kernels: narrow_phase_plain for worlds without small bodies, belts and segments; continuous_plain for
-// worlds without rules. They use fewer registers, so more work-items are resident; docs/opencl.md has measurements.
+// worlds without rules. They use fewer registers, so more work-items are resident; docs/design/opencl.md has measurements.
 KERNEL_FUNCTION(narrow_phase_plain, narrow_phase, (pools.step.small = pools.step.belts = pools.step.segments = 0), SPREAD_NOT)
 
 // Returns the number of work-items per item: a power of two up to 32, for which the launch has enough work-items.

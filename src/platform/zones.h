@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// zones.h -- marks parts of the work as zones of the profiler Tracy, in a build with SCREE_TRACY; see docs/threads.md.
+// zones.h -- marks parts of the work as zones of the profiler Tracy, in a build with SCREE_TRACY; see docs/manual/threads.md.
 #ifndef ZONES_H
 #define ZONES_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // traffic.c -- computes the number of bytes that the solve stage moves, from its algorithm.
 //
-// Bytes are counted as the passes request them (docs/performance.md), so the count does not depend on the device.
+// Bytes are counted as the passes request them (docs/measurements/performance.md), so the count does not depend on the device.
 #include "step/traffic.h"
 #include "constraints/constraint_kinds.h"
 #include <stddef.h>

@@ -3,7 +3,7 @@
 //
 // The digests of the records are corrected first, because no mutation would ever hit them; an input with another header is
 // opened as it is. Memory while a recording is opened is limited to LEAST_MEMORY + MEMORY_PER_BYTE times its size
-// (docs/security.md).
+// (docs/manual/security.md).
 #include "fuzz/fuzz.h"
 #include "fuzz/mutate_recording.h"
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 // fuzz_snapshot.c -- fuzz target: bytes are restored as a snapshot, and the world is used if they are accepted.
 //
 // The digest of the bytes is corrected first, because no mutation would ever hit it. Memory while a snapshot is restored
-// is limited to LEAST_MEMORY + MEMORY_PER_BYTE times its size (docs/security.md).
+// is limited to LEAST_MEMORY + MEMORY_PER_BYTE times its size (docs/manual/security.md).
 #include "fuzz/fuzz.h"
 #include "fuzz/mutate_chunks.h"
 #include "world/snapshot/chunks.h"

@@ -12,7 +12,7 @@
 #include <string.h>
 
 // s of simulated time before a measurement; after it, the number of contacts per body in the scene drift is steady
-// (docs/paper.md)
+// (docs/measurements/paper.md)
 #define WARM_UP 1.0
 // s: maximum duration of a warm-up on the CPU; a longer one runs on the GPU, and the world then migrates to the CPU
 #define WARM_LIMIT 1.0

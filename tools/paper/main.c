@@ -11,10 +11,10 @@ static const Command commands[] = {
      paper_hash_command, NULL},
     {BENCH, "bench", "bench SCENE|FILE...", "measure scenes, CSV on standard output", 1, 1000, paper_bench_command,
      NULL},
-    {FIGURE, "figure5", "figure5", "measure and draw time by number of bodies, also of Scree: docs/paper.md", 0, 0,
-     figure5_command, NULL},
-    {FIGURE, "figure6", "figure6", "measure and draw the share of the stages, also of Scree: docs/paper.md", 0, 0,
-     figure6_command, NULL},
+    {FIGURE, "figure5", "figure5", "measure and draw time by number of bodies; Scree too (docs/measurements/paper.md)",
+     0, 0, figure5_command, NULL},
+    {FIGURE, "figure6", "figure6", "measure and draw the share of the stages; Scree too (docs/measurements/paper.md)",
+     0, 0, figure6_command, NULL},
 };
 
 int main(int count, char** words)

@@ -5,7 +5,7 @@
 #include "view/window/window_state.h"
 #include <stdio.h>
 
-typedef struct // docs/view.md describes the commands of a script
+typedef struct // docs/manual/view.md describes the commands of a script
 {
 	FILE* file; // null: no script
 	const char* path;

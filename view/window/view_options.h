@@ -21,7 +21,7 @@ typedef struct
 	const char* load;           // path of a snapshot with which the world begins; null: none
 	const char* record;         // path of a recording of the first world until the viewer ends; null: none
 	int hash_interval;          // steps from one hash of the recording to the next
-	const char* script;         // path of a script (docs/view.md); null: the user controls the viewer
+	const char* script;         // path of a script (docs/manual/view.md); null: the user controls the viewer
 } ViewOptions;
 
 #endif

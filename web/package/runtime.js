@@ -487,7 +487,7 @@ export class World {
 		return new Float32Array(engine.memory.buffer, poses, 4 * count);
 	}
 
-	/** Returns the data for a renderer: eight numbers for each collidable, from 8 * (collidable.index - 1) on. docs/web.md
+	/** Returns the data for a renderer: eight numbers for each collidable, from 8 * (collidable.index - 1) on. docs/manual/web.md
 	 * lists them. */
 	rows() {
 		const {engine} = this.scree, world = this.live();

@@ -4,7 +4,7 @@
 // A body with more than HUB_CONTACTS constraints, including joints, becomes a hub. All of its contacts become spokes
 // and remain spokes as long as they touch, so that a varying number of contacts does not switch the layout back and
 // forth. A body on belts that run against each other becomes a hub too. Contacts that are solved one after the
-// other share a change of the load too slowly, and the body would swing more and more (docs/hubs.md, Belts).
+// other share a change of the load too slowly, and the body would swing more and more (docs/design/hubs.md, Belts).
 #ifndef SPOKE_H
 #define SPOKE_H
 #include "pools/pools.h"

@@ -2,7 +2,7 @@
 // contact_approval.h -- lists contacts that the user must approve, and stops their bodies where they meet.
 //
 // A pending contact has points but no impulses. Its bodies move only until they meet, so that they do not pass through
-// each other before the user has decided. The bodies keep their velocities (docs/rules.md, Contact approval).
+// each other before the user has decided. The bodies keep their velocities (docs/manual/rules.md, Contact approval).
 #ifndef CONTACT_APPROVAL_H
 #define CONTACT_APPROVAL_H
 #include "constraints/angle.h"

@@ -2,7 +2,7 @@
 // continuous.h -- continuous collision: stops a body that the solver would move through something.
 //
 // A body that moved more than a fraction of its thickness is swept against the collidables along its path, and stops
-// slightly inside the surface of the first of them (docs/continuous.md). The order of bodies does not matter, because
+// slightly inside the surface of the first of them (docs/design/continuous.md). The order of bodies does not matter, because
 // this stage reads only data that it does not write. Such bodies are few, and the work per body is long, so finalize
 // lists them for a separate kernel: inside finalize, this code raised the number of registers of every work-item of a
 // GPU, and 1M bodies in motion took 0.159 ms instead of 0.043 ms on an H200.

@@ -3,7 +3,7 @@
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Here each
-// corner has its own speed, and all share a bound of their acceleration (docs/continuous.md).
+// corner has its own speed, and all share a bound of their acceleration (docs/design/continuous.md).
 #ifndef CONTINUOUS_TIME_H
 #define CONTINUOUS_TIME_H
 #include "stages/geometry/sweep.h"

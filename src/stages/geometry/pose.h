@@ -5,7 +5,7 @@
 // Donald E. Knuth, The Art of Computer Programming, volume 2, 1969, 4.2.2: the rounding error of a sum.
 //
 // Coordinates are rounded, to 2 um at 24 m from the origin. Without the stored errors slow bodies would stop, and heaps
-// at rest would creep (docs/manifolds.md, Rounding residuals).
+// at rest would creep (docs/design/manifolds.md, Rounding residuals).
 #ifndef POSE_H
 #define POSE_H
 #include "dialect/finite.h"

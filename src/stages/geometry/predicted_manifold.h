@@ -74,7 +74,7 @@ INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Cl
 
 // Returns whether shape a is round and shape b is a segment that cannot move, so that predict_end may replace the
 // manifold at a corner. Without the replacement, the end of the next segment would act on a loaded wheel like a step
-// (docs/manifolds.md, Seams). On a segment that moves, arms other than those at the impact would change angular
+// (docs/design/manifolds.md, Seams). On a segment that moves, arms other than those at the impact would change angular
 // momentum.
 INLINE int predict_rolls(const Pools* p, WorldShape a, WorldShape b)
 {
@@ -98,7 +98,7 @@ INLINE int predict_rolled(const Pools* p, WorldShape a, const Closing* closing, 
 // Returns the manifold at a later time or, if it has no points, `now`. If `has_rolling` is 1, a round shape meets a
 // corner: the time is that of the last relax pass; returns `now` unless the shape will roll over the corner. If it is
 // 0, a surface is a belt: the time is the end of the step, because arms that lag behind a body on two belts would add
-// energy (docs/hubs.md, Belts). Both cases share one call of collide, because a call uses registers of a GPU.
+// energy (docs/design/hubs.md, Belts). Both cases share one call of collide, because a call uses registers of a GPU.
 RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now,
                             int has_rolling)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // query.h -- executes the user's queries, one per item: rays, moving or resting shapes, and the nearest collidable.
 //
-// docs/queries.md defines the results. Of two equally near collidables, the one with the lower index is returned.
+// docs/manual/queries.md defines the results. Of two equally near collidables, the one with the lower index is returned.
 #ifndef QUERY_H
 #define QUERY_H
 #include "stages/geometry/convex_sum.h"

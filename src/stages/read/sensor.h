@@ -2,7 +2,7 @@
 // sensor.h -- finds the collidables that overlapped a sensor at some time of the step.
 //
 // A visit is computed for a motion at constant speed between the poses at the start and the end of the step. With the
-// velocities instead, a body would also be found behind a wall from which it bounces (docs/events.md).
+// velocities instead, a body would also be found behind a wall from which it bounces (docs/manual/events.md).
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement.

@@ -4,7 +4,7 @@
 // The broad phase checks the reasons that no step changes, and creates no contact for such a pair. Other reasons may
 // end while a contact lasts, so the contact's flags store the result (CONTACT_DETECTED, CONTACT_APART) for all code
 // that works with contacts. Continuous collision also tests pairs without a contact, so it checks all reasons. For
-// overlaps with sensors only bodies and filters are checked (docs/rules.md).
+// overlaps with sensors only bodies and filters are checked (docs/manual/rules.md).
 #ifndef APART_H
 #define APART_H
 #include "stages/geometry/filter.h"

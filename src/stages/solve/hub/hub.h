@@ -6,7 +6,7 @@
 // 2012: mass splitting. A body that several hubs push at once is split into parts.
 //
 // Each spoke responds to the hub's velocity (spoke_answer.h). The sums of the responses and of their derivatives give
-// three equations for the hub, which Newton's method solves. docs/hubs.md has the formulas.
+// three equations for the hub, which Newton's method solves. docs/design/hubs.md has the formulas.
 #ifndef HUB_H
 #define HUB_H
 #include "constraints/schedule.h"

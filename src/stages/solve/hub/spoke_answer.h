@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spoke_answer.h -- computes the response of a spoke: impulses that solve it for a fixed hub velocity (docs/hubs.md).
+// spoke_answer.h -- computes the response of a spoke: impulses that solve it for a fixed hub velocity (docs/design/hubs.md).
 #ifndef SPOKE_ANSWER_H
 #define SPOKE_ANSWER_H
 #include "stages/solve/hub/spoke_pose.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spoke_pose.h -- prepares a spoke for one kind of impulse (docs/hubs.md): limits, targets, masses, warm start.
+// spoke_pose.h -- prepares a spoke for one kind of impulse (docs/design/hubs.md): limits, targets, masses, warm start.
 #ifndef SPOKE_POSE_H
 #define SPOKE_POSE_H
 #include "stages/solve/hub/spoke_arms.h"
