@@ -469,7 +469,7 @@ SCREE_API scree_status scree_world_clone(scree_world* world, const scree_world_d
 
 typedef struct scree_difference // a column of values in which two snapshots differ
 {
-	char column[64]; // "body.values", or "pool.pose+8" for a pool and a byte in its items: docs/manual/snapshots.md
+	char column[64]; // "body.values", or "pool.pose+8" for a pool and a byte in its items: docs/design/snapshots.md
 	char word[32];   // name of the word at this byte: "cos"; empty if it has none
 	int count_a, count_b;      // number of items in each snapshot
 	int items;                 // number of items that differ; those that one snapshot lacks differ
@@ -1420,8 +1420,8 @@ SCREE_API scree_status scree_path_set_user(scree_world* world, scree_path path, 
 // Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual. A joint
 // between two bodies that cannot move, or with a disabled body, has no effect.
 //
-// Method: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024. docs/manual/joints.md has the formulas, and
-// the equivalents of the joint types of other engines.
+// Method: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024. docs/design/joints.md has the formulas,
+// docs/manual/joints.md the equivalents of the joint types of other engines.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_joint
@@ -1520,7 +1520,7 @@ typedef struct scree_joint_def
 	scree_joint_coordinate coordinates[3];
 	// Stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors are not corrected. The effective
 	// frequency of locks, limits and springs is at most a quarter of the substep rate; joints in a row are stiffer
-	// (docs/manual/joints.md).
+	// (docs/design/joints.md).
 	float hertz;
 	float damping_ratio;    // damping ratio of locks and limits, 0 to 1e6, default 2
 	bool collide_connected; // true: the two bodies may touch each other; default false

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mutate_chunks.c -- changes a file of chunks (docs/manual/snapshots.md) at random, and keeps it a file of chunks.
+// mutate_chunks.c -- changes a file of chunks (docs/design/snapshots.md) at random, and keeps it a file of chunks.
 //
 // Bytes that are changed without this knowledge are almost always refused at once: a chunk must have as many values as
 // counters in other chunks state.

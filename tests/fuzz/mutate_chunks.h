@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mutate_chunks.h -- changes a file of chunks (docs/manual/snapshots.md) at random, and keeps it a file of chunks.
+// mutate_chunks.h -- changes a file of chunks (docs/design/snapshots.md) at random, and keeps it a file of chunks.
 #ifndef MUTATE_CHUNKS_H
 #define MUTATE_CHUNKS_H
 #include <stddef.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mutate_recording.c -- changes a recording (docs/manual/recording.md) at random, and corrects the digests of its records.
+// mutate_recording.c -- changes a recording (docs/design/recording.md) at random, and corrects the digests of its records.
 #include "fuzz/mutate_recording.h"
 #include "fuzz/mutate_chunks.h"
 #include "tools/common/random_numbers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mutate_recording.h -- changes a recording (docs/manual/recording.md) at random, and corrects the digests of its records.
+// mutate_recording.h -- changes a recording (docs/design/recording.md) at random, and corrects the digests of its records.
 #ifndef MUTATE_RECORDING_H
 #define MUTATE_RECORDING_H
 #include <stddef.h>

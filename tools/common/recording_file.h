@@ -4,7 +4,7 @@
 #define RECORDING_FILE_H
 #include <stdbool.h>
 
-// Returns true if the name of a file ends in .rec, or if the file begins as a recording does (docs/manual/recording.md).
+// Returns true if the name of a file ends in .rec, or if the file begins as a recording does (docs/design/recording.md).
 bool recording_file(const char* path);
 
 #endif

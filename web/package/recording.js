@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// recording.js -- the package: records the calls of a world, and repeats them. docs/manual/recording.md has the format.
+// recording.js -- the package: records the calls of a world, and repeats them. docs/design/recording.md has the format.
 //
 // A module of its own, "scree/recording", which only those programs download that import it. The tables of scree.js describe the
 // calls and their types, so that the engine needs no code for recordings.

@@ -2,7 +2,7 @@
 // query_tree.h -- builds trees with tight boxes at the current poses, and searches them for the nearest leaves.
 //
 // Queries have their own boxes over the leaves of the broad phase, computed on request and never read by a step. A
-// search visits near nodes first, and skips nodes that are farther than the best result so far (docs/manual/queries.md).
+// search visits near nodes first, and skips nodes that are farther than the best result so far (docs/design/queries.md).
 #ifndef QUERY_TREE_H
 #define QUERY_TREE_H
 #include "stages/broad_phase/leaf.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// record_log.h -- writes and reads the records of a recording. docs/manual/recording.md has the format.
+// record_log.h -- writes and reads the records of a recording. docs/design/recording.md has the format.
 #ifndef RECORD_LOG_H
 #define RECORD_LOG_H
 #include "world/record/call_list.h"

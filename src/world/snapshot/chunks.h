@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// chunks.h -- writes and reads the chunks of a snapshot: named columns of values. docs/manual/snapshots.md has the format.
+// chunks.h -- writes and reads the chunks of a snapshot: named columns of values. docs/design/snapshots.md has the format.
 #ifndef CHUNKS_H
 #define CHUNKS_H
 #include "world/world.h"
