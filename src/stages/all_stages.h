@@ -55,8 +55,5 @@ SMALL_BEGIN
 #include "stages/read/interpolate.h"
 #include "stages/read/joint_report.h"
 #include "stages/read/hash.h"
-#include "stages/save/saved_bodies.h"
-#include "stages/save/saved_collidables.h"
-#include "stages/save/saved_joints.h"
-#include "stages/save/saved_places.h"
+#include "stages/save/tidy.h"
 SMALL_END

@@ -12,46 +12,50 @@
 
 // Bits of the word SAVED_COUNTS: lowest bits of each number. A number that does not fit is in the rest.
 #define SAVED_OTHER       8
-#define SAVED_FIXED       16
-#define SAVED_FIXED_MASK  0x3fff
+#define SAVED_STATIC      16
+#define SAVED_KINEMATIC   24
 #define SAVED_REPORTED    0x40000000u // the user has read the present pose
 #define SAVED_BODY_RESTED 0x80000000u // the body has words in the rest
 
 // Lists the values of a body that are mostly as predicted. counts: word SAVED_COUNTS; origin: pose as the user may have
 // read it; high: upper half of the colors. Sleep comes first, because the predictions of other values depend on it.
-#define SAVED_BODY_VALUES(INT, NUMBER)                                               \
-	INT(p->sleep[i], 0)                                                              \
-	NUMBER(p->motion[i].free_x, p->sleep[i] == 0 && moves ? 1.0f : 0.0f)             \
-	NUMBER(p->motion[i].free_y, p->sleep[i] == 0 && moves ? 1.0f : 0.0f)             \
-	NUMBER(p->motion[i].fx, 0.0f)                                                    \
-	NUMBER(p->motion[i].fy, 0.0f)                                                    \
-	NUMBER(p->motion[i].torque, 0.0f)                                                \
-	INT(p->touching[i], (int)(counts & 255u))                                        \
-	INT(p->other_contacts[i], (int)(counts >> SAVED_OTHER & 255u))                   \
-	INT(p->fixed_contacts[i], (int)(counts >> SAVED_FIXED & (Word)SAVED_FIXED_MASK)) \
-	INT(p->static_contact[i], 0)                                                     \
-	INT(high, 0)                                                                     \
-	INT(p->belts[i], 0)                                                              \
-	INT(p->press[i].way[0], 0)                                                       \
-	INT(p->press[i].way[1], 0)                                                       \
-	INT(p->press[i].depth, 0)                                                        \
-	INT(p->press[i].speed, 0)                                                        \
-	INT(p->press[i].left, 0)                                                         \
-	INT(p->press[i].tight, 0)                                                        \
-	NUMBER(p->press[i].before, 0.0f)                                                 \
-	NUMBER(p->press[i].spun, 0.0f)                                                   \
-	INT(p->wake[i], 0)                                                               \
-	INT(p->hub[i], 0)                                                                \
-	INT(p->hub_colors[i], 0)                                                         \
-	INT(p->hub_keys[i].x, 0)                                                         \
-	INT(p->hub_keys[i].y, 0)                                                         \
-	INT(p->claim0[i], 0)                                                             \
-	INT(p->claim1[i], 0)                                                             \
-	NUMBER(p->reported_pose[i].x, origin.x)                                          \
-	NUMBER(p->reported_pose[i].y, origin.y)                                          \
-	NUMBER(p->reported_pose[i].z, origin.z)                                          \
-	NUMBER(p->reported_pose[i].w, origin.w)                                          \
+#define SAVED_BODY_VALUES(INT, NUMBER)                                   \
+	INT(p->sleep[i], 0)                                                  \
+	NUMBER(p->motion[i].free_x, p->sleep[i] == 0 && moves ? 1.0f : 0.0f) \
+	NUMBER(p->motion[i].free_y, p->sleep[i] == 0 && moves ? 1.0f : 0.0f) \
+	NUMBER(p->motion[i].fx, 0.0f)                                        \
+	NUMBER(p->motion[i].fy, 0.0f)                                        \
+	NUMBER(p->motion[i].torque, 0.0f)                                    \
+	INT(p->touching[i], (int)(counts & 255u))                            \
+	INT(p->other_contacts[i], (int)(counts >> SAVED_OTHER & 255u))       \
+	INT(p->fixed_contacts[i], saved_fixed(counts))                       \
+	INT(p->static_contact[i], 0)                                         \
+	INT(high, 0)                                                         \
+	INT(p->belts[i], 0)                                                  \
+	INT(p->press[i].way[0], 0)                                           \
+	INT(p->press[i].way[1], 0)                                           \
+	INT(p->press[i].depth, 0)                                            \
+	INT(p->press[i].speed, 0)                                            \
+	INT(p->press[i].left, 0)                                             \
+	INT(p->press[i].tight, 0)                                            \
+	INT(p->wake[i], 0)                                                   \
+	INT(p->hub[i], 0)                                                    \
+	INT(p->hub_colors[i], 0)                                             \
+	INT(p->hub_keys[i].x, 0)                                             \
+	INT(p->hub_keys[i].y, 0)                                             \
+	INT(p->claim0[i], 0)                                                 \
+	INT(p->claim1[i], 0)                                                 \
+	NUMBER(p->reported_pose[i].x, origin.x)                              \
+	NUMBER(p->reported_pose[i].y, origin.y)                              \
+	NUMBER(p->reported_pose[i].z, origin.z)                              \
+	NUMBER(p->reported_pose[i].w, origin.w)                              \
 	INT(p->reported_sleep[i], 0)
+
+// Returns the item of the pool fixed_contacts.
+INLINE int saved_fixed(Word counts)
+{
+	return (int)(counts >> SAVED_STATIC & 255u) + (int)(counts >> SAVED_KINEMATIC & 63u) * KINEMATIC_CONTACT;
+}
 
 INLINE Float4 saved_origin(const Pools* p, int i, Word counts)
 {
@@ -68,7 +72,8 @@ KERNEL(save_body)
 	Word high = (Word)(p->color_mask[i] >> 32);
 	int moves = body.inv_mass > 0.0f;
 	Word counts = ((Word)p->touching[i] & 255u) | ((Word)p->other_contacts[i] & 255u) << SAVED_OTHER |
-	              ((Word)p->fixed_contacts[i] & (Word)SAVED_FIXED_MASK) << SAVED_FIXED;
+	              ((Word)STATIC_CONTACTS(p->fixed_contacts[i]) & 255u) << SAVED_STATIC |
+	              (KINEMATIC_CONTACTS(p->fixed_contacts[i]) & 63u) << SAVED_KINEMATIC;
 	if (p->reported_pose[i].z != 0.0f || p->reported_pose[i].w != 0.0f)
 		counts |= SAVED_REPORTED;
 	Float4 origin = saved_origin(p, i, counts);
@@ -102,6 +107,13 @@ KERNEL(save_body)
 	row[SAVED_COUNTS * by] = counts;
 }
 
+// Clears the speeds before the last step. The next step stores them again before it reads them.
+INLINE void press_forget(const Pools* p, int i)
+{
+	p->press[i].before = 0.0f;
+	p->press[i].spun = 0.0f;
+}
+
 KERNEL(load_body)
 {
 	const GLOBAL Word* row = saved_row(p, bodies, i);
@@ -123,6 +135,7 @@ KERNEL(load_body)
 	Word high;
 	Float4 origin = saved_origin(p, i, counts);
 	SAVED_BODY_VALUES(SAVED_TAKE_INT, SAVED_TAKE_NUMBER)
+	press_forget(p, i);
 	p->color_mask[i] = (Word64)row[SAVED_COLORS * by] | (Word64)high << 32;
 }
 

@@ -108,6 +108,9 @@ OUT_OF_LINE void saved_shape(const Pools* p, int i, Int there, const Real* now, 
 	shape[7] = bits_real(body);
 }
 
+// Returns whether the next step stores the old box again before it reads it.
+INLINE Int saved_renews(Int flags) { return (flags & COLLIDABLE_NEW_BOX) != 0; }
+
 WIDE_KERNEL(save_collidable)
 {
 	GLOBAL int* row = (GLOBAL int*)saved_row(p, collidables, i);
@@ -136,6 +139,8 @@ WIDE_KERNEL(save_collidable)
 	Int values[SAVED_SHAPE_VALUES], expected[SAVED_SHAPE_VALUES], mask = zero;
 	saved_list(flags, old_box, now, values);
 	saved_list(saved_flags(traits), box, shape, expected);
+	for (int k = 0; k < 4; ++k)
+		values[1 + k] = blend_int(values[1 + k], expected[1 + k], saved_renews(flags));
 	for (int k = 0; k < SAVED_SHAPE_VALUES; ++k)
 		mask = mask | blend_int(zero, zero + (1 << k), there & (values[k] != expected[k]));
 	traits = traits | blend_int(zero, zero + (int)SAVED_COLLIDABLE_RESTED, mask != 0);

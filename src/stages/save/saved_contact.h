@@ -173,8 +173,7 @@ WIDE_KERNEL(save_contact)
 	           (int)(SAVED_EDGES | SAVED_HIGH | SAVED_LOW);
 	Int traits =
 	    ib | shifted(e.other, SAVED_PAIR_BITS) | (int)SAVED_PLACED | blend_int(zero, zero + (int)SAVED_AHEAD, ahead);
-	Int without = ib | blend_int(zero, zero + (int)SAVED_AHEAD, ahead) |
-	              (flags & (int)CONTACT_FIXED) |
+	Int without = ib | blend_int(zero, zero + (int)SAVED_AHEAD, ahead) | (flags & (int)CONTACT_FIXED) |
 	              blend_int(zero + (int)SAVED_CONTACT_RESTED, zero, expects);
 	traits = blend_int(blend_int(zero + (int)SAVED_FREE, zero + (int)SAVED_ODD, there), traits, alike);
 	traits = blend_int(traits, without, empty);

@@ -32,13 +32,13 @@ typedef struct // other values of a contact, apart from those of its row
 } SavedContact;
 
 // Lists the values of a contact without a place on which predictions of others depend. t: values; s: predictions.
-#define SAVED_TEST_VALUES(INT, NUMBER)   \
-	INT(t.flags, s.flags)                \
-	NUMBER(t.relative.x, s.relative.x)   \
-	NUMBER(t.relative.y, s.relative.y)   \
-	NUMBER(t.relative.z, s.relative.z)   \
-	NUMBER(t.relative.w, s.relative.w)   \
-	NUMBER(t.axes.x, s.axes.x)           \
+#define SAVED_TEST_VALUES(INT, NUMBER) \
+	INT(t.flags, s.flags)              \
+	NUMBER(t.relative.x, s.relative.x) \
+	NUMBER(t.relative.y, s.relative.y) \
+	NUMBER(t.relative.z, s.relative.z) \
+	NUMBER(t.relative.w, s.relative.w) \
+	NUMBER(t.axes.x, s.axes.x)         \
 	NUMBER(t.axes.y, s.axes.y)
 
 // Lists the other values of a contact that are mostly as predicted. c: values; e: predictions.
@@ -186,7 +186,8 @@ KERNEL(save_contact_odd)
 	Word code = 0, mask = 0;
 	for (int k = 0;; ++k)
 	{
-		code = saved_code(p->attribute + a, p->attribute + b, (int)((Word)t.flags & CONTACT_COUNT), c.feature, c.normal, k);
+		code = saved_code(p->attribute + a, p->attribute + b, (int)((Word)t.flags & CONTACT_COUNT), c.feature, c.normal,
+		                  k);
 		saved_set_manifold(&e, saved_manifold(p, a, b, f, code));
 		if ((code & SAVED_WAY) == SAVED_NO_POINTS || saved_manifold_is(c, e))
 			break;

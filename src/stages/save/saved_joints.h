@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// saved_joints.h -- packs the state of joints that steps change into a save, and unpacks it; clears what nothing reads.
+// saved_joints.h -- packs the state of joints that steps change into a save, and unpacks it.
 //
 // The kept rows of a joint are at its place, or at its slot if the joint has no place. So a save first copies the rows of a
 // place to the slot, as a new layout does. All other rows of a place are prepared in each step.
@@ -106,21 +106,6 @@ KERNEL(load_joint)
 	p->joint_place_slot[place] = i;
 	joint_row(p, body_a, place) = p->joint_bodies[i].x;
 	joint_row(p, body_b, place) = p->joint_bodies[i].y;
-}
-
-// Clears the values of slot or place i that are left over from earlier and that nothing reads, so that snapshots do not
-// depend on them: the kept values of a joint with a place, an event of an earlier step, and padding, whose rows follow
-// from another joint.
-KERNEL(joint_tidy)
-{
-	const GLOBAL Counters* c = p->counters;
-	const JointEvent none = {0};
-	if (i < c->joints && saved_joint_placed(p, i))
-		joint_forget(p, i);
-	if (i < c->joints && i >= c->joint_events)
-		p->joint_event[i] = none;
-	if (i < saved_joint_places(p) && p->joint_place_slot[i] < 0)
-		joint_pad(p, i);
 }
 
 #endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// saved_places.h -- packs impulses, flags and poses of contacts by their places into a save, and unpacks them; clears what
-// no step or read uses.
+// saved_places.h -- packs impulses, flags and poses of contacts by their places into a save, and unpacks them.
 #ifndef SAVED_PLACES_H
 #define SAVED_PLACES_H
 #include "stages/save/saved_contacts.h"
@@ -100,19 +99,6 @@ KERNEL(load_place)
 	contact_row(p, tangent_impulse1, i) = bits_float((int)row[(SAVED_IMPULSES + 2) * by]);
 	contact_row(p, tangent_impulse2, i) = bits_float((int)row[(SAVED_IMPULSES + 3) * by]);
 	SAVED_PLACE_VALUES(SAVED_TAKE_NUMBER)
-}
-
-// Clears the values of slot or place i that are left over from earlier and that nothing reads, so that snapshots do not
-// depend on them.
-KERNEL(contact_tidy)
-{
-	const GLOBAL Counters* c = p->counters;
-	if (i < c->contacts && p->pair[i].x < 0)
-		contact_clear(p, i);
-	else if (i < c->contacts && p->contact_place[i] >= 0)
-		contact_forget(p, i);
-	if (i < c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1] && p->contact_place_slot[i] < 0)
-		p->contact_place_pair[i] = make_int2(0, 0);
 }
 
 #endif

@@ -70,21 +70,25 @@ static size_t largest_pool(const scree_world* world)
 	return largest;
 }
 
-// Clears values of contacts and joints that are left over from earlier, so that equal worlds have equal snapshots.
+// Clears values that are left over from earlier, so that equal worlds have equal snapshots.
 static scree_status tidy(scree_world* world)
 {
 	const Step step = {0};
-	Run runs[CONSTRAINT_KINDS];
-	int count = 0;
+	Run runs[2 + CONSTRAINT_KINDS];
+	int count = 0, bodies = lasting_items(world, PER_BODY), collidables = lasting_items(world, PER_COLLIDABLE);
+#define TIDY(kernel, items) \
+	if ((items) > 0)        \
+		runs[count++] = (Run){.kernel_id = (kernel), .end = (items), .count = NO_COUNT};
+	TIDY(KERNEL_body_tidy, bodies)
+	TIDY(KERNEL_collidable_tidy, collidables)
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                \
 	{                                                                                                    \
 		int slots = lasting_items(world, PER_##KIND), places = lasting_items(world, PER_##KIND##_PLACE); \
-		runs[count] = (Run){.kernel_id = KERNEL_##kind##_tidy, .end = slots > places ? slots : places};  \
-		runs[count].count = NO_COUNT;                                                                    \
-		count += runs[count].end > 0;                                                                    \
+		TIDY(KERNEL_##kind##_tidy, slots > places ? slots : places)                                      \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
+#undef TIDY
 	return count > 0 ? world_note(world, world->backend->f->run(world->backend, &step, runs, count)) : SCREE_OK;
 }
 
