@@ -13,7 +13,7 @@ test_packages := $(view_packages) xvfb twm xdotool git clang-format libcmocka-de
 ifneq ($(shell uname -m),aarch64)
 test_packages += gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user # for test_aarch64; 56 MB
 endif
-full_packages := $(web_packages) doxygen clang libclang-rt-dev chromium chromium-driver
+full_packages := $(web_packages) doxygen clang libclang-rt-dev chromium chromium-driver node-typescript
 
 help: ## print this list
 	@echo 'make TARGET, where TARGET is one of'

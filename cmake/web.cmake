@@ -12,10 +12,12 @@ if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 	set(package ${PROJECT_BINARY_DIR}/package)
 	set(tools ${PROJECT_SOURCE_DIR}/web/package)
 	file(MAKE_DIRECTORY ${package})
-	add_custom_command(OUTPUT ${package}/scree.js ${package}/scree.d.ts ${package}/exports.json ${package}/layout.c
-		COMMAND ${SCREE_NODE} ${tools}/generate.mjs ${PROJECT_SOURCE_DIR}/include/scree/scree.h ${tools}/runtime.js ${package}
+	add_custom_command(OUTPUT ${package}/scree.js ${package}/scree.d.ts ${package}/draw.js ${package}/draw.d.ts ${package}/exports.json
+			${package}/layout.c
+		COMMAND ${SCREE_NODE} ${tools}/generate.mjs ${PROJECT_SOURCE_DIR}/include/scree/scree.h ${package}
 		DEPENDS ${PROJECT_SOURCE_DIR}/include/scree/scree.h ${tools}/generate.mjs ${tools}/header.mjs ${tools}/types.mjs
-			${tools}/runtime.js
+			${tools}/engine.js ${tools}/objects.js ${tools}/clock.js ${tools}/runtime.js
+			${tools}/draw.js ${tools}/draw.d.ts
 		COMMENT "Making the package from scree.h" VERBATIM)
 	# layout.c asserts that each member has the same offset in C and in the package
 	add_executable(engine ${tools}/auto.c ${tools}/libc.c ${package}/layout.c)
@@ -31,8 +33,24 @@ if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 	# strips before -Oz; stripping after -Oz would make the package 0.3 kB larger
 	add_custom_command(TARGET engine POST_BUILD COMMAND ${SCREE_WASM_OPT} ${features} --strip-producers --strip-target-features
 		-Oz --traps-never-happen --low-memory-unused --converge $<TARGET_FILE:engine> -o $<TARGET_FILE:engine>)
-	target_link_options(engine PRIVATE -O2 --no-entry -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sERROR_ON_UNDEFINED_SYMBOLS=0
+	target_link_options(engine PRIVATE -O2 --no-entry -sALLOW_MEMORY_GROWTH -sALLOW_TABLE_GROWTH -sMALLOC=emmalloc -sERROR_ON_UNDEFINED_SYMBOLS=0
 		-sWARN_ON_UNDEFINED_SYMBOLS=0 -sEXPORTED_FUNCTIONS=@${package}/exports.json)
+
+	# debug draw: position-independent code that a program adds to either engine, in its memory; without vectors, for both engines
+	if(NOT CMAKE_C_FLAGS MATCHES "-msimd128")
+		file(GLOB draw_sources ${PROJECT_SOURCE_DIR}/src/api/draw/*.c)
+		# these sources have no state; as parts of the module, they take no names that the engine exports
+		add_executable(draw ${tools}/draw.c ${draw_sources} src/world/check.c src/world/definition.c)
+		scree_flags(draw)
+		set_target_properties(draw PROPERTIES SUFFIX .wasm)
+		target_include_directories(draw PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${PROJECT_BINARY_DIR})
+		target_compile_definitions(draw PRIVATE SCREE_BUILDING SCREE_LANES=1 SCREE_NO_OPENCL SCREE_SMALL)
+		target_compile_options(draw PRIVATE -fPIC -fno-lto)
+		target_link_options(draw PRIVATE -fno-lto -O2 -sSIDE_MODULE=2 -sEXPORTED_FUNCTIONS=_draw_def,_draw_world -sERROR_ON_UNDEFINED_SYMBOLS=0
+			-sWARN_ON_UNDEFINED_SYMBOLS=0)
+		add_custom_command(TARGET draw POST_BUILD COMMAND ${SCREE_WASM_OPT} --mvp-features --enable-mutable-globals --strip-producers
+			--strip-target-features -Oz $<TARGET_FILE:draw> -o $<TARGET_FILE:draw>)
+	endif()
 endif()
 
 if(TARGET scree_scene)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# test_web.sh -- checks the builds for WebAssembly: the golden hash of every scene; interface, example and size of the npm package,
-# whose example also runs in Chromium.
+# test_web.sh -- checks the builds for WebAssembly: the golden hash of every scene; interface, types, debug draw, example and
+# size of the npm package, whose example also runs in Chromium.
 set -euo pipefail
 build=$SCREE_SOURCE/build
 for form in scalar simd threads; do
@@ -47,6 +47,19 @@ snapshots()
 	done
 }
 snapshots cpu
+# debug draw: both builds draw the same as the native library
+cp "$SCREE_SOURCE/tests/web/drawn.mjs" "$scratch"
+${CC:-cc} -std=c17 -Wall -Wextra -I"$SCREE_SOURCE/include" "$SCREE_SOURCE/tests/web/drawn.c" "$SCREE_BUILD/libscree.a" -lm -ldl -pthread -o "$scratch/drawn"
+drawn=0
+for snapshot in "$scratch"/snapshots-cpu/*.snap; do
+	"$scratch/drawn" "$snapshot" | LC_ALL=C sort -s -k1,1 >"$scratch/native.txt"
+	for form in scalar simd; do
+		timeout 300 node "$scratch/drawn.mjs" $form "$snapshot" | LC_ALL=C sort -s -k1,1 >"$scratch/drawn.txt"
+		cmp "$scratch/native.txt" "$scratch/drawn.txt" || { echo "scree/draw ($form) differs from scree_world_draw: $snapshot"; exit 1; }
+	done
+	drawn=$((drawn + $(wc -l <"$scratch/native.txt")))
+done
+echo "scree/draw: $drawn calls are those of scree_world_draw"
 # recordings: those of both builds are the same, and the native command line repeats them
 cp "$SCREE_SOURCE/tests/web/recordings.mjs" "$scratch"
 for form in scalar simd; do
@@ -59,6 +72,13 @@ if "$SCREE_BUILD/scree" devices | grep -q opencl; then
 fi
 [ "$(wc -l <"$SCREE_SOURCE/examples/hello.mjs")" -le 30 ]
 [ "cpu: $(node "$scratch/hello.mjs")" = "$("$scratch/hello")" ] || { echo "hello.mjs and hello.c differ:" "$(node "$scratch/hello.mjs")" "$("$scratch/hello")"; exit 1; }
+if command -v tsc >/dev/null; then
+	cp "$SCREE_SOURCE/tests/web/types.mts" "$scratch"
+	(cd "$scratch" && timeout 300 tsc --strict --noEmit --target es2022 --module nodenext --moduleResolution nodenext --lib es2022,dom types.mts)
+else
+	echo "the types were not checked: there is no tsc; Debian has it in node-typescript"
+	case " $SCREE_EXPECT " in *" web "*) exit 1 ;; esac
+fi
 if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then
 	line=$(timeout 300 node "$SCREE_SOURCE/tests/web/browser.mjs" "$scratch")
 	[ "cpu: $line" = "$("$scratch/hello")" ] || { echo "hello.mjs in Chromium and hello.c differ: $line"; exit 1; }

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
-// generate.mjs -- generate.mjs HEADER RUNTIME FOLDER: writes scree.js, scree.d.ts, the list of exports and layout.c
-// from scree.h.
+// generate.mjs -- generate.mjs HEADER FOLDER: writes scree.js, scree.d.ts, the list of exports and layout.c from scree.h.
 //
-// scree.js consists of two tables, followed by RUNTIME. The tables contain the members of structs and the parameters of
-// functions, in codes that runtime.js describes.
+// scree.js consists of two tables, followed by PARTS. The tables contain the members of structs and the parameters of
+// functions, in codes that engine.js and runtime.js describe.
 import {readFileSync, writeFileSync} from "node:fs";
 import {parse, scalars} from "./header.mjs";
-import {types} from "./types.mjs";
+import {enumeration, types} from "./types.mjs";
 
-const [, , headerPath, runtimePath, folder] = process.argv;
+const [, , headerPath, folder] = process.argv;
+const lower = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
+const PARTS = ["engine.js", "objects.js", "clock.js", "runtime.js"]; // one module, so that a page needs one request
 const header = parse(readFileSync(headerPath, "utf8"));
 
 // functions that are not useful in a page: C hooks, device choice, memory that is shared with OpenCL; and recordings and debug
 // draw, which would take the package beyond its largest size
-const left_out = /^scree_(hooks_set|fail_hook_set|opencl_hint|units_sized|shape_scale|sharing_name|devices_get_sized|device_test|world_(get_length_unit|draw|get_collidable_states_sized|share_\w+|cast_shared_\w+|unshare|measure_bandwidth|write_render_rows|get_sharing|move|get_save_bytes|record|end_recording|get_recording|get_interpolated|get_interpolated_rows|write_interpolated_rows|prepare_queries)|snapshots_compare_sized|movers_move_bodies|record_def_default_sized|draw_def_default_sized|replay_\w+|\w+_create_with_shapes?|collidable_[gs]et_surface(_sized)?|surface_default_sized)$/;
+const left_out = /^scree_(hooks_set|fail_hook_set|opencl_hint|units_sized|shape_scale|sharing_name|devices_get_sized|device_test|world_(get_length_unit|draw|get_collidable_states_sized|share_\w+|cast_shared_\w+|unshare|measure_bandwidth|\w+_render_rows|get_sharing|move|get_save_bytes|record|end_recording|get_recording|write_interpolated_rows|prepare_queries)|snapshots_compare_sized|movers_move_bodies|record_def_default_sized|draw_def_default_sized|replay_\w+|\w+_create_with_shapes?|collidable_[gs]et_surface(_sized)?|surface_default_sized)$/;
 // functions that only the classes of runtime.js call: create worlds, read rows, copy snapshots, set defaults of definitions
-const without_method = /^scree_(world_(create|destroy|get_render_rows|snapshot|restore|create_from|clone)|filter_default|\w+_(default|make)_sized)$/;
+const without_method = /^scree_(world_(create|destroy|get_interpolated_rows|snapshot|restore|create_from|clone)|filter_default|\w+_(default|make)_sized)$/;
+// functions and tables of the engine that the module of draw.js uses
+const ENGINE = ("pool_info world_check world_upload world_note world_read world_read_sleep world_body_pose pipeline_render pose_point fail " +
+	"scree_allocate scree_release snprintf vsnprintf strtof memcmp memset memcpy fminf fmaxf").split(" ");
 const short = (type) => type.replace(/^scree_/, "");
 const functions = Object.values(header.functions).filter((f) => !left_out.test(f.name));
 
@@ -30,7 +34,7 @@ function code(type) {
 // Returns three lists for a function: the codes of all parameters, the parameters whose values a program gives, and the
 // results.
 function describe(f) {
-	const codes = [], given = [], results = [], all = f.parameters;
+	const codes = [], given = [], results = [], coded = [], all = f.parameters;
 	for (let k = 0; k < all.length; ++k) {
 		const p = all[k], next = all[k + 1];
 		const counted = all.some((other) => other.name === "count" && !other.pointer) && !/^(def|shape|list)$/.test(p.name);
@@ -49,7 +53,7 @@ function describe(f) {
 			codes.push("$");
 			given.push(p);
 		}
-		else if (f.name === "scree_world_get_states" && p.name === "bodies")
+		else if (/_get_(states|interpolated)$/.test(f.name) && p.name === "bodies")
 			codes.push("0"); // null: this array is optional, and getBodies lists the same bodies in the same order
 		else if (list) {
 			codes.push(`?${code(p.type)}`);
@@ -71,8 +75,10 @@ function describe(f) {
 			codes.push((counted ? "+" : ">") + (f.name === "scree_world_get_hash" ? "H" : code(p.type)));
 			results.push({...p, many: counted});
 		}
+		const named = given.at(-1)?.name === p.name && p.name !== codes.at(-1).replace(/^\W/, "");
+		coded.push(named ? `${codes.at(-1)}:${p.name}` : codes.at(-1));
 	}
-	return {codes, given, results};
+	return {codes, given, results, coded};
 }
 
 function result(f) {
@@ -106,12 +112,12 @@ function member(struct, m) {
 }
 const structTable = structs.map((s) => [short(s.name), ...s.members.map((m) => member(s, m))].join(" ")).join("\n");
 const functionTable = described.filter((f) => !without_method.test(f.name))
-	.map((f) => [short(f.name), f.kind, ...f.codes].join(" ")).join("\n");
+	.map((f) => [short(f.name), f.kind, ...f.coded].join(" ")).join("\n");
 
 // Converts names of enumerations, such as scree_body_type to BodyType. Bits such as SCREE_LOCK_X become members of
 // Lock.
 const camel = (name) => name.replace(/(^|_)([a-z0-9])/g, (_, bar, letter) => letter.toUpperCase());
-const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level|_DRAW_/.test(name)).map(([name, e]) => {
+const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level/.test(name)).map(([name, e]) => {
 	const names = Object.keys(e.members);
 	let prefix = names[0].slice(0, names[0].lastIndexOf("_") + 1);
 	while (prefix && !names.every((other) => other.startsWith(prefix)))
@@ -119,19 +125,32 @@ const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|w
 	const title = name.startsWith("_") ? camel(prefix.slice(0, -1).toLowerCase()) : camel(short(name));
 	return {name, title, ...e, list: names.map((n) => [n.slice(prefix.length), e.members[n], e.notes[n]])};
 });
-const enumCode = enumerations.map((e) =>
+const is_draw = (e) => e.title === "Draw";
+const enumCode = (list) => list.map((e) =>
 	`export const ${e.title} = Object.freeze({${e.list.map(([name, value]) => `${name}: ${value}`).join(", ")}});`).join("\n");
 
+const color = {title: "Color", comment: "Colors as 0xRRGGBBAA.", list: Object.entries(header.colors).map(([name, {value, note}]) => [name, value, note])};
+const drawn = [...enumerations.filter(is_draw), color];
+
 const licence = "// SPDX-License-Identifier: MIT\n";
-const runtime = readFileSync(runtimePath, "utf8").replace(/^\/\/ SPDX[^\n]*\n/, "");
+const part = (name) => readFileSync(new URL(name, import.meta.url), "utf8").replace(/^\/\/ SPDX[^\n]*\n/, "");
 writeFileSync(`${folder}/scree.js`, `${licence}// Made from scree.h ${Object.values(header.constants).slice(0, 3).join(".")}.
 const STRUCTS = \`${structTable}\`;
 const FUNCTIONS = \`${functionTable}\`;
 export const MAX_COORDINATE = ${header.constants.MAX_COORDINATE};
-${enumCode}
-${runtime}`);
-writeFileSync(`${folder}/scree.d.ts`, licence + types({header, structs, described: described.filter((f) => !without_method.test(f.name)), enumerations, short}));
-writeFileSync(`${folder}/exports.json`, JSON.stringify([...functions.map((f) => `_${f.name}`), "_malloc", "_free"]));
-writeFileSync(`${folder}/layout.c`, `#include "scree/scree.h"\n${structs.flatMap((s) => [
+${enumCode(enumerations.filter((e) => !is_draw(e)))}
+${PARTS.map(part).join("\n")}`);
+writeFileSync(`${folder}/scree.d.ts`, licence + types({header, structs, described: described.filter((f) => !without_method.test(f.name)), enumerations: enumerations.filter((e) => !is_draw(e)), short}));
+writeFileSync(`${folder}/exports.json`, JSON.stringify([...functions.map((f) => `_${f.name}`), "_malloc", "_free", ...ENGINE.map((name) => `_${name}`)]));
+writeFileSync(`${folder}/layout.c`, `#include "scree/scree.h"\n${[...structs, header.structs.scree_draw_def].flatMap((s) => [
 	`_Static_assert(sizeof(${s.name}) == ${s.size}, "${s.name}");`,
 	...s.members.map((m) => `_Static_assert(offsetof(${s.name}, ${m.name}) == ${m.offset}, "${s.name}.${m.name}");`)]).join("\n")}\n`);
+
+// draw.js, without its engine, which pack.mjs adds
+const draw_def = header.structs.scree_draw_def, members = draw_def.members.filter((m) => m.name !== "size" && !m.pointer);
+writeFileSync(`${folder}/draw.js`, `${licence}${part("draw.js")}
+const ENGINE = ${JSON.stringify(ENGINE)};
+const MEMBERS = ${JSON.stringify(Object.fromEntries(members.map((m) => [lower(m.name), [code(m.type), m.offset]])))};
+${enumCode(drawn)}
+`);
+writeFileSync(`${folder}/draw.d.ts`, `${licence}${part("draw.d.ts")}${drawn.map(enumeration).join("")}`);

@@ -13,9 +13,11 @@ function comment(lines) {
 }
 
 export function parse(text) {
-	const constants = {}, enums = {}, structs = {}, functions = {}, handles = [], comments = {};
+	const constants = {}, colors = {}, enums = {}, structs = {}, functions = {}, handles = [], comments = {};
 	for (const [, name, value] of text.matchAll(/^#define SCREE_(\w+) +([\d.]+)f?$/gm))
 		constants[name] = Number(value);
+	for (const [, name, value, note] of text.matchAll(/^#define SCREE_COLOR_(\w+) +(0x\w+)u(?: \/\/ (.*))?$/gm))
+		colors[name] = {value, note};
 
 	// Finds the declarations, each with the lines of the comment above it.
 	let above = [], body = [], depth = 0;
@@ -70,7 +72,7 @@ export function parse(text) {
 				functions[name] = {name, result: match[1].trim().replace(/^const /, ""), parameters: parameters(match[3])};
 		}
 	}
-	return {constants, enums, structs, functions, handles, comments};
+	return {constants, colors, enums, structs, functions, handles, comments};
 }
 
 function parameters(text) {
