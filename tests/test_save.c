@@ -173,6 +173,12 @@ static void is_small_on(const Scene* scene, const char* device)
 			fail_msg("step %d: %llu bytes, must be at most %llu", step, (unsigned long long)bytes,
 			         (unsigned long long)most_bytes(world));
 	}
+	uint64_t before, after;
+	OK(scree_world_get_hash(world, &before));
+	OK(scree_world_step(world, scene->dt, scene->substeps));
+	OK(scree_world_load(world, 7));
+	OK(scree_world_get_hash(world, &after));
+	assert_int_equal(after, before);
 	OK(scree_world_discard(world, 7));
 	OK(scree_world_get_save_bytes(world, 7, &bytes));
 	assert_int_equal(bytes, 0);

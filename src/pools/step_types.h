@@ -39,8 +39,10 @@ typedef struct // softness of a contact: factors of the bias pass. Source: Erin 
 	float firm, depth; // bias_rate is multiplied by 1 + firm for the part of an overlap up to `depth`, m
 } Softness;
 
-// Numbers of words of a save: before the parts, and of each item (src/stages/save/).
+// Numbers of words of a save: before the parts, which is also the maximum number of zones, and of each item
+// (src/stages/save/).
 #define SAVED_HEAD             MAX_LANES
+#define SAVED_ZONES            SAVED_HEAD
 #define SAVED_BODY_WORDS       15
 #define SAVED_COLLIDABLE_WORDS 6
 #define SAVED_CONTACT_WORDS    2
@@ -59,7 +61,8 @@ typedef struct // places of a save in the pool saved, in words from item `first`
 {
 	int first;
 	SavedPart bodies, collidables, contacts, places, joints;
-	int rest, room; // first word for values that differ from their predictions; number of such words
+	int rest;        // first word for values that differ from their predictions
+	int zones, room; // number of zones of these values, a power of 2; number of words of each
 } SavedLayout;
 
 typedef struct // constants of one step, passed by value to every kernel; a comment "some ..." is the condition for 1

@@ -270,7 +270,7 @@ typedef struct
 {
 	uint64_t version, last; // version of the structure of the world, which changes with each call that changes it
 	int end;                // number of items of the pool `saved` that are in use
-	int rest;               // number of words that differed from their predictions in the last save
+	int64_t rest;           // number of words for values that differed from their predictions in the last save
 	SaveList* list;         // null before the first save
 } Saves;
 

@@ -97,7 +97,7 @@ KERNEL(save_body)
 	if (mask != 0)
 	{
 		counts |= SAVED_BODY_RESTED;
-		GLOBAL Word* rest = saved_rest(p, mask, float_word(p->still[i]), row + SAVED_STILL * by);
+		GLOBAL Word* rest = saved_rest(p, i, mask, float_word(p->still[i]), row + SAVED_STILL * by);
 		bit = 0;
 		if (rest)
 		{

@@ -153,7 +153,7 @@ WIDE_KERNEL(save_collidable)
 	{
 		GLOBAL Word* rest = 0;
 		if (lanes >> k & 1)
-			rest = saved_rest(p, (Word)lane(mask, k), float_word(lane(box[0], k)), (GLOBAL Word*)row + k);
+			rest = saved_rest(p, i + k, (Word)lane(mask, k), float_word(lane(box[0], k)), (GLOBAL Word*)row + k);
 		for (int v = 0; v < SAVED_SHAPE_VALUES && rest; ++v)
 			if (lane(mask, k) >> v & 1)
 				*rest++ = (Word)lane(values[v], k);

@@ -85,13 +85,13 @@ OUT_OF_LINE void saved_pose(const Pools* p, Int ia, Int ib, Real test[SAVED_TEST
 	test[5] = axes.y;
 }
 
-// Appends tests of contacts to the rest, each after the word of the row that becomes its place.
-INLINE Int saved_tests(const Pools* p, Int word, const Real test[SAVED_TEST], Word lanes)
+// Appends tests of contacts from i on to the rest, each after the word of the row that becomes its place.
+INLINE Int saved_tests(const Pools* p, int i, Int word, const Real test[SAVED_TEST], Word lanes)
 {
 	int count = 0;
 	for (Word left = lanes; left != 0; left &= left - 1)
 		count += 1 + SAVED_TEST;
-	int place = saved_reserve(p, count);
+	int place = saved_reserve(p, i, count);
 	if (place < 0)
 		return word;
 	// the bound is redundant; without it gcc 12 unrolls the loop beyond the vector with SSE4.1, and stops with an internal error
@@ -182,7 +182,7 @@ WIDE_KERNEL(save_contact)
 	if (tests)
 	{
 		const Real test[SAVED_TEST] = {m[8], m[9], m[10], m[11], m[12], m[13], m[15]};
-		first = saved_tests(p, first, test, tests);
+		first = saved_tests(p, i, first, test, tests);
 	}
 	store_int((GLOBAL int*)row, 0, first);
 	store_int((GLOBAL int*)row + by, 0, traits);
@@ -215,7 +215,11 @@ WIDE_KERNEL(load_contact)
 	Int a = gather_int(p->collidable_attribute, ia), b = gather_int(p->collidable_attribute, ib);
 	Int body_a = saved_body(p, ia), body_b = saved_body(p, ib);
 	Real m[16], surface[4];
-	saved_pose(p, ia, ib, m + 8);
+	UNROLL
+	for (int k = 0; k < 6; ++k)
+		m[8 + k] = splat(0.0f);
+	if (lane_bits(empty))
+		saved_pose(p, ia, ib, m + 8);
 	if (lane_bits(placed))
 	{
 		const GLOBAL int* at_place = (const GLOBAL int*)saved_row(p, places, 0);

@@ -204,7 +204,7 @@ KERNEL(save_contact_odd)
 	if (mask != 0)
 	{
 		traits |= SAVED_CONTACT_RESTED;
-		GLOBAL Word* rest = saved_rest(p, mask, first, row);
+		GLOBAL Word* rest = saved_rest(p, i, mask, first, row);
 		bit = 0;
 		if (rest)
 		{

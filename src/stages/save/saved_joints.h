@@ -67,7 +67,7 @@ KERNEL(save_joint)
 	if (mask != 0)
 	{
 		traits |= SAVED_JOINT_RESTED;
-		GLOBAL Word* rest = saved_rest(p, mask, place, row);
+		GLOBAL Word* rest = saved_rest(p, i, mask, place, row);
 		bit = 0;
 		if (rest)
 		{

@@ -34,7 +34,7 @@ KERNEL(save_place)
 	if (mask != 0)
 	{
 		name |= SAVED_PLACE_RESTED;
-		GLOBAL Word* rest = saved_rest(p, mask, first, row + SAVED_IMPULSES * by);
+		GLOBAL Word* rest = saved_rest(p, i, mask, first, row + SAVED_IMPULSES * by);
 		bit = 0;
 		if (rest)
 		{

@@ -18,22 +18,24 @@ INLINE GLOBAL Word* saved_words(const Pools* p) { return (GLOBAL Word*)(p->saved
 #define saved_row(p, part, i) (saved_words(p) + (p)->step.saved.part.at + (i))
 #define saved_by(p, part)     ((size_t)(p)->step.saved.part.count)
 
-// Reserves words of the rest. Returns the place of the first one, or -1 if there is no room; the host then repeats the
-// save with more room.
-INLINE int saved_reserve(const Pools* p, int count)
+// Reserves words of the rest for item i. Returns the place of the first one, or -1 if there is no room; the host then
+// repeats the save with more room. Each zone of the rest has a counter in the head, because a GPU adds to one counter only
+// once in a nanosecond. The upper bits of a product select the zone, so that items at equal distances have different ones.
+INLINE int saved_reserve(const Pools* p, int i, int count)
 {
-	int place = atomic_add_int((GLOBAL int*)saved_words(p), count);
-	return place > p->step.saved.room - count ? -1 : place;
+	int zone = (int)((Word)i * 0x9e3779b9u >> 16) & (p->step.saved.zones - 1), room = p->step.saved.room;
+	int place = atomic_add_int((GLOBAL int*)saved_words(p) + zone, count);
+	return place > room - count ? -1 : zone * room + place;
 }
 
-// Reserves words of the rest for a value of a row and `mask`, of the values that differ. Returns the place of the words
-// for these values, or null if there is no room.
-OUT_OF_LINE GLOBAL Word* saved_rest(const Pools* p, Word mask, Word value, GLOBAL Word* instead)
+// Reserves words of the rest of item i for a value of a row and `mask`, of the values that differ. Returns the place of the
+// words for these values, or null if there is no room.
+OUT_OF_LINE GLOBAL Word* saved_rest(const Pools* p, int i, Word mask, Word value, GLOBAL Word* instead)
 {
 	int count = 2;
 	for (Word left = mask; left != 0; left &= left - 1)
 		++count;
-	int place = saved_reserve(p, count);
+	int place = saved_reserve(p, i, count);
 	if (place < 0)
 		return 0;
 	GLOBAL Word* rest = saved_words(p) + p->step.saved.rest + place;

@@ -15,6 +15,9 @@
 #define SPARE 32 // reciprocal of the share of a range that is left for a later save
 #define GUESS 16 // number of items, of which one is taken to differ from its prediction before the first save
 
+#define ZONES_FROM 8192 // number of items from which the values that differ have several zones, which cost some words
+#define UNIT       4    // number of words of an item of the pool `saved`
+
 #define STRUCTURES ((int)(sizeof((SaveList*)0)->structures / sizeof *((SaveList*)0)->structures))
 
 // Returns the range of a save (below SAVE_SLOTS) or of a structure.
@@ -108,20 +111,25 @@ static scree_status pack(scree_world* world, const char* function, Save* save)
 	int64_t copied = saved_pools_count(world, false, save->counts), words = saved_words_count(world, 0, &save->layout);
 	const SavedLayout* l = &save->layout;
 	int64_t items = (int64_t)l->bodies.count + l->collidables.count + l->contacts.count;
-	int64_t room = world->saves.rest > 0 ? world->saves.rest : items / GUESS;
+	int zones = items < ZONES_FROM ? 1 : SAVED_ZONES;
+	int64_t room = (world->saves.rest > 0 ? world->saves.rest : items / GUESS) / zones + 1;
 	save->material_pairs = world->pipeline.material_pairs;
 	for (;;)
 	{
-		int rest[4];
-		TRY(find_range(world, function, copied + (words + room) / 4 + 1, &save->range));
+		int used[SAVED_ZONES];
+		TRY(find_range(world, function, copied + (words + zones * room) / UNIT + 1, &save->range));
 		saved_words_count(world, save->range.first + (int)copied, &save->layout);
-		save->layout.room = (int)(4 * (save->range.count - copied) - words);
-		TRY(world_note(world, b->f->clear(b, POOL_saved, save->layout.first, 1)));
+		save->layout.zones = zones;
+		save->layout.room = (int)((UNIT * (save->range.count - copied) - words) / zones);
+		TRY(world_note(world, b->f->clear(b, POOL_saved, save->layout.first, SAVED_HEAD / UNIT)));
 		TRY(world_note(world, saved_words_run(world, save, false)));
 		// before the read, because a device copies while it still gets commands
 		TRY(world_note(world, saved_pools_copy(world, false, save->range, save->counts, save->leaves, false)));
-		TRY(world_note(world, b->f->read(b, POOL_saved, save->layout.first, 1, rest)));
-		room = world->saves.rest = rest[0];
+		TRY(world_note(world, b->f->read(b, POOL_saved, save->layout.first, SAVED_HEAD / UNIT, used)));
+		room = 0;
+		for (int k = 0; k < zones; ++k)
+			room = used[k] > room ? used[k] : room;
+		world->saves.rest = zones * room;
 		if (room <= save->layout.room)
 			return SCREE_OK;
 	}
