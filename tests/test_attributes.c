@@ -162,12 +162,41 @@ static void attributes_do_not_pile_up(void** state)
 	scree_world_destroy(world);
 }
 
+// All attributes are listed in the order of their slots, also those that collidables own; the definition of a world is that of its
+// creation with later changes.
+static void attributes_and_worlds_are_read(void** state)
+{
+	(void)state;
+	scree_world* world = open_test_world(-10.0f);
+	scree_attribute listed[3], first = surface(world, 0.1f, 1.0f), second = surface(world, 0.2f, 1.0f);
+	int count;
+	add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f);
+	OK(scree_world_get_attributes(world, NULL, 0, &count));
+	assert_int_equal(count, 3);
+	OK(scree_attribute_destroy(world, first));
+	listed[1] = SCREE_NULL_ATTRIBUTE;
+	OK(scree_world_get_attributes(world, listed, 1, &count));
+	assert_int_equal(count, 2);
+	assert_true(scree_attribute_equals(listed[0], second));
+	assert_true(scree_attribute_is_null(listed[1]));
+	scree_tuning tuning;
+	scree_world_def def;
+	OK(scree_world_get_tuning(world, &tuning));
+	tuning.max_speed = 123.0f;
+	OK(scree_world_set_tuning(world, &tuning));
+	OK(scree_world_set_gravity(world, (scree_vec){1.0f, 2.0f}));
+	OK(scree_world_get_def(world, &def));
+	assert_int_equal(def.size, sizeof def);
+	assert_true(def.max_speed == 123.0f && def.gravity.x == 1.0f && def.gravity.y == 2.0f && def.hit_speed == 1.0f);
+	assert_string_equal(def.device, "auto");
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(surfaces_change_under_contacts),
-	    cmocka_unit_test(shapes_change_and_contacts_start_anew),
-	    cmocka_unit_test(attributes_are_destroyed),
+	    cmocka_unit_test(surfaces_change_under_contacts), cmocka_unit_test(shapes_change_and_contacts_start_anew),
+	    cmocka_unit_test(attributes_are_destroyed),       cmocka_unit_test(attributes_and_worlds_are_read),
 	    cmocka_unit_test(attributes_do_not_pile_up),
 	};
 	return RUN_ON_DEVICES(tests);

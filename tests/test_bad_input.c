@@ -418,6 +418,7 @@ static void setting_functions(void** state)
 	STALE(scree_body_get_gravity_scale, (world, stale, &x), "body (index 4");
 	STALE(scree_body_get_def, (world, stale, &def), "body (index 4");
 	STALE(scree_body_get_mass, (world, stale, &mass), "body (index 4");
+	STALE(scree_body_get_own_mass, (world, stale, &mass), "body (index 4");
 	STALE(scree_body_get_user, (world, stale, &user), "body (index 4");
 	INVALID(scree_body_get_type, (world, body, NULL), "type is null");
 	INVALID(scree_body_get_locks, (world, body, NULL), "locks is null");
@@ -426,6 +427,7 @@ static void setting_functions(void** state)
 	INVALID(scree_body_get_gravity_scale, (world, body, NULL), "scale is null");
 	INVALID(scree_body_get_def, (world, body, NULL), "def is null");
 	INVALID(scree_body_get_mass, (world, body, NULL), "mass is null");
+	INVALID(scree_body_get_own_mass, (world, body, NULL), "mass is null");
 	INVALID(scree_body_get_user, (NULL, body, &user), "world is null");
 	INVALID(scree_body_set_user, (NULL, body, 1), "world is null");
 	INVALID(scree_body_set_type, (NULL, body, SCREE_BODY_STATIC), "world is null");

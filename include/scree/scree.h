@@ -149,6 +149,14 @@ typedef void (*scree_fail_hook)(const char* function, scree_status status, const
 // longjmp. The call then returns its status, and scree_error() its sentence. Builds for WebAssembly have no hook.
 SCREE_API void scree_fail_hook_set(scree_fail_hook hook, void* context);
 
+// For libraries on top of Scree, whose failures are then reported as those of Scree itself. Between scree_call_begin and
+// scree_call_end no failed call of this thread is reported. Each begin has one end, on the same thread; pairs may be nested.
+SCREE_API void scree_call_begin(void);
+// Ends a call of such a library, and returns `status`. function: name of the library's function. If the status is not SCREE_OK,
+// scree_error() returns the sentence afterwards, and the hook is called, unless this pair lies in another one. sentence: may be
+// null, for that of the last failure.
+SCREE_API scree_status scree_call_end(const char* function, scree_status status, const char* sentence);
+
 // Returns the host memory that the library currently uses, in bytes.
 SCREE_API size_t scree_memory(void);
 
@@ -347,6 +355,10 @@ SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_worl
 
 // Destroys a world and everything in it. world may be null.
 SCREE_API void scree_world_destroy(scree_world* world);
+
+// Returns the definition of a world as it is now: gravity and tuning may have changed since its creation. The pointers device,
+// opengl and tasks are those of scree_world_def_default.
+static inline scree_status scree_world_get_def(const scree_world* world, scree_world_def* def);
 
 // Advances a world by dt seconds (1e-9 to 1, or 0) in 1 to 64 substeps. Typical values are 1/60 and 4. Method: Erin
 // Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
@@ -754,6 +766,11 @@ SCREE_API scree_status scree_attribute_destroy(scree_world* world, scree_attribu
 
 // Returns true if the handle refers to an existing attribute.
 SCREE_API bool scree_attribute_is_valid(const scree_world* world, scree_attribute attribute);
+
+// Writes the handles of up to capacity attributes in ascending index order, also of those that collidables own, and sets count to
+// their number.
+SCREE_API scree_status scree_world_get_attributes(const scree_world* world, scree_attribute* attributes, int capacity,
+                                                  int* count);
 
 // Returns the values with which an attribute was created.
 static inline scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
@@ -1206,6 +1223,8 @@ SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, 
 // Overrides the masses of a batch of bodies, as above. On failure no mass changes.
 SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,
                                                int count);
+// Returns the mass that overrides the computed one of a body, also while it has no effect; all zeros if there is none.
+SCREE_API scree_status scree_body_get_own_mass(const scree_world* world, scree_body body, scree_mass* mass);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Collidables
@@ -2479,6 +2498,12 @@ static inline scree_world_def scree_world_def_default(void)
 	scree_world_def def;
 	scree_world_def_default_sized(&def, sizeof def);
 	return def;
+}
+
+SCREE_API scree_status scree_world_get_def_sized(const scree_world* world, scree_world_def* def, size_t size);
+static inline scree_status scree_world_get_def(const scree_world* world, scree_world_def* def)
+{
+	return scree_world_get_def_sized(world, def, sizeof *def);
 }
 
 SCREE_API scree_status scree_units_sized(scree_constant* constants, size_t size, int capacity, int* count);

@@ -38,4 +38,13 @@ scree_status fail_hook_leave(const char* function, scree_status status)
 }
 #endif
 
+void scree_call_begin(void) { fail_hook_enter(); }
+
+scree_status scree_call_end(const char* function, scree_status status, const char* sentence)
+{
+	if (status != SCREE_OK && sentence)
+		fail(status, "%s", sentence);
+	return fail_hook_leave(function, status);
+}
+
 scree_status scree_hooks_set(const scree_hooks* hooks) { REPORTED("scree_hooks_set", hooks_set(hooks)) }

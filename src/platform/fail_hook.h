@@ -7,6 +7,7 @@
 #ifdef SCREE_SMALL // a build for WebAssembly has no hook
 #define REPORTED(function, call) return call;
 static inline void fail_hook_enter(void) {}
+static inline scree_status fail_hook_leave(const char* function, scree_status status) { return (void)function, status; }
 #else
 #include <stdatomic.h>
 

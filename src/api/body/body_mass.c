@@ -13,15 +13,27 @@
 #define LEAST_INERTIA 1e-20f // kg m^2
 #define MOST_MASS     1e30f  // kg for masses, kg m^2 for inertias
 
+static scree_status check_read(const scree_world* world, const char* function, scree_body body, const scree_mass* mass)
+{
+	int index = 0;
+	TRY(check_pointer(function, "world", world));
+	TRY(check_pointer(function, "mass", mass));
+	return check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index);
+}
+
 scree_status api_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
 {
 	FLOAT_MODE_HERE;
-	const char* function = "scree_body_get_mass";
-	TRY(check_pointer(function, "world", world));
-	TRY(check_pointer(function, "mass", mass));
-	int index = 0;
-	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
-	*mass = mass_now(world, index);
+	TRY(check_read(world, "scree_body_get_mass", body, mass));
+	*mass = mass_now(world, (int)body.index);
+	return SCREE_OK;
+}
+
+scree_status api_body_get_own_mass(const scree_world* world, scree_body body, scree_mass* mass)
+{
+	FLOAT_MODE_HERE;
+	TRY(check_read(world, "scree_body_get_own_mass", body, mass));
+	*mass = world->host_bodies[body.index].own_mass;
 	return SCREE_OK;
 }
 

@@ -31,6 +31,25 @@ scree_status api_attribute_create(scree_world* world, const scree_attribute_def*
 	return SCREE_OK;
 }
 
+scree_status api_world_get_attributes(const scree_world* world, scree_attribute* attributes, int capacity, int* count)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_world_get_attributes";
+	int listed = 0;
+	TRY(check_pointer(function, "world", world));
+	TRY(check_list(function, "attributes", attributes, capacity, count));
+	for (int k = 0; k < world->attribute_slots.used; ++k)
+	{
+		if (!slots_in_use(&world->attribute_slots, k))
+			continue;
+		if (listed < capacity)
+			attributes[listed] = attribute_handle(world, k);
+		++listed;
+	}
+	*count = listed;
+	return SCREE_OK;
+}
+
 scree_status api_attribute_get_def_sized(const scree_world* world, scree_attribute attribute, scree_attribute_def* def,
                                          size_t size)
 {

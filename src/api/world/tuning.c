@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tuning.c -- reads and sets the tuning of a world.
+// tuning.c -- reads the definition of a world; reads and sets its tuning.
 #include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -8,6 +8,22 @@
 #include "world/upload/whole_sleep.h"
 #include "world/world.h"
 #include <string.h>
+
+scree_status api_world_get_def_sized(const scree_world* world, scree_world_def* def, size_t size)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_world_get_def";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_pointer(function, "def", def));
+	scree_world_def now = world->def;
+	const scree_world_def made = scree_world_def_default();
+	now.size = (uint32_t)size;
+	now.device = made.device;
+	now.opengl = made.opengl;
+	now.tasks = made.tasks;
+	write_result(def, size, &now, sizeof now);
+	return SCREE_OK;
+}
 
 scree_status api_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size)
 {
