@@ -2,6 +2,7 @@
 // attribute_block.c -- reads the attributes of a scene: shapes and surfaces by name.
 #include "scene/attribute_block.h"
 #include "scene/format.h"
+#include "scene/names.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -86,11 +87,18 @@ static bool read_shape(Reader* reader, const Location* location, const json_t* v
 	scree_vec points[MAX_HULL_POINTS];
 	int count;
 	scree_status status;
-	if (strcmp(key, "circle") == 0)
+	const json_t* center = json_object_get(value, "center");
+	bool circle = strcmp(key, "circle") == 0;
+	points[0] = (scree_vec){0.0f, 0.0f};
+	if (center && !circle)
+		return reader_fail(reader, KEY(location, "center"), "only a circle has it");
+	if (center && !reader_vec(reader, KEY(location, "center"), center, any_coordinate, points))
+		return false;
+	if (circle)
 	{
 		if (!reader_constant(reader, at, geometry, found->range, &radius))
 			return false;
-		status = scree_shape_make_circle((scree_vec){0, 0}, (float)radius, shape);
+		status = scree_shape_make_circle(points[0], (float)radius, shape);
 	}
 	else if (strcmp(key, "box") == 0)
 	{
@@ -128,9 +136,9 @@ static bool check_small(Reader* reader, const Location* location, const json_t* 
 
 bool attributes_read(Reader* reader, const Location* location, const json_t* value, Scene* scene)
 {
-	if (!json_is_object(value) || json_object_size(value) == 0)
-		return reader_fail_value(reader, location, value, "must be an object with at least one attribute");
-	scene->attributes = calloc(json_object_size(value), sizeof(Attribute));
+	if (!json_is_object(value))
+		return reader_fail_value(reader, location, value, "must be an object of attributes by name");
+	scene->attributes = calloc(json_object_size(value) + 1, sizeof(Attribute));
 	if (!scene->attributes)
 		return reader_fail(reader, location, "out of memory");
 
@@ -149,17 +157,14 @@ bool attributes_read(Reader* reader, const Location* location, const json_t* val
 		    !format_read(reader, at, entry, OBJECT_attribute, &attribute->def, 0, NULL) ||
 		    !check_small(reader, at, entry, &attribute->def))
 			return false;
-		++scene->attribute_count;
+		if (!names_add(&scene->names->attributes, attribute->name, scene->attribute_count++))
+			return reader_fail(reader, at, "out of memory");
 	}
 	return true;
 }
 
-int attributes_find(const Scene* scene, const char* name)
+bool attributes_find(const Scene* scene, Reader* reader, const Location* location, const char* name, int* found)
 {
-	for (int k = 0; k < scene->attribute_count; ++k)
-	{
-		if (strcmp(scene->attributes[k].name, name) == 0)
-			return k;
-	}
-	return -1;
+	return names_find(&scene->names->attributes, reader, location, name, found) &&
+	       (*found >= 0 || reader_fail(reader, location, "\"%.60s\" is not among the attributes", name));
 }

@@ -14,7 +14,7 @@ struct Attribute
 // Reads "attributes" into Scene.attributes.
 bool attributes_read(Reader* reader, const Location* location, const json_t* value, Scene* scene);
 
-// Returns the index of a name in Scene.attributes, -1 if no attribute has this name.
-int attributes_find(const Scene* scene, const char* name);
+// Sets *found to the index of a name in Scene.attributes. Fails if no attribute has this name.
+bool attributes_find(const Scene* scene, Reader* reader, const Location* location, const char* name, int* found);
 
 #endif

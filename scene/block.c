@@ -2,28 +2,17 @@
 // block.c -- reads a block of a scene: bodies of one kind, or collidables without a body, repeated over nested loops.
 #include "scene/block.h"
 #include "scene/format.h"
+#include "scene/names.h"
 #include <stdlib.h>
 #include <string.h>
-
-int block_find(const Scene* scene, const char* name)
-{
-	for (int k = 0; k < scene->block_count; ++k)
-	{
-		if (strcmp(scene->blocks[k].name, name) == 0)
-			return k;
-	}
-	return -1;
-}
 
 bool block_read_name(Reader* reader, const Location* location, const json_t* value, const Scene* scene, int* block)
 {
 	const char* name;
 	if (!reader_string(reader, location, value, &name))
 		return false;
-	*block = block_find(scene, name);
-	if (!reader_work(reader, location, 1 + scene->block_count))
-		return false;
-	return *block >= 0 || reader_fail(reader, location, "\"%.60s\" is not the name of bodies", name);
+	return names_find(&scene->names->blocks, reader, location, name, block) &&
+	       (*block >= 0 || reader_fail(reader, location, "\"%.60s\" is not the name of an entry of bodies", name));
 }
 
 int block_first(const Scene* scene, int block)
@@ -43,12 +32,14 @@ static bool read_name(Reader* reader, const Location* location, const json_t* va
 		return false;
 	if (strlen(text) >= NAME_SIZE)
 		return reader_fail(reader, location, "a name has 1 to %d characters", NAME_SIZE - 1);
-	if (!reader_work(reader, location, 1 + scene->block_count))
+	int above;
+	if (!names_find(&scene->names->blocks, reader, location, text, &above))
 		return false;
-	if (block_find(scene, text) >= 0)
+	if (above >= 0)
 		return reader_fail(reader, location, "\"%s\" is the name of bodies above", text);
 	strcpy(name, text);
-	return true;
+	return names_add(&scene->names->blocks, name, scene->block_count - 1) ||
+	       reader_fail(reader, location, "out of memory");
 }
 
 static bool read_share(Reader* reader, const Location* location, const json_t* object, const char* key, int* share)
@@ -79,6 +70,28 @@ static bool read_churn(Reader* reader, const Location* location, const json_t* v
 	return good;
 }
 
+static bool read_mass(Reader* reader, const Location* location, const json_t* value, Block* block)
+{
+	if (!value)
+		return true;
+	block->massed = true;
+	format_default(OBJECT_mass, &block->mass);
+	if (block->def.type != SCREE_BODY_DYNAMIC)
+		return reader_fail(reader, location, "only a dynamic body has a mass");
+	if (!format_check(reader, location, value, OBJECT_mass) ||
+	    !format_read(reader, location, value, OBJECT_mass, &block->mass, 0, &block->mass_numbers))
+		return false;
+	return block->mass.inertia == 0.0f || block->mass.inertia >= 1e-20f ||
+	       reader_fail_value(reader, KEY(location, "inertia"), json_object_get(value, "inertia"), "is too close to 0");
+}
+
+static bool read_centered(Reader* reader, const Location* location, const json_t* value, Block* block)
+{
+	const char* key = "center_velocity";
+	block->centered = block->massed;
+	return reader_boolean(reader, KEY(location, key), json_object_get(value, key), &block->centered);
+}
+
 bool block_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
                 Block* block)
 {
@@ -89,9 +102,14 @@ bool block_read(Reader* reader, const Location* location, const json_t* value, c
 	            read_name(reader, KEY(location, "name"), json_object_get(value, "name"), scene, block->name) &&
 	            loops_read(reader, location, value, &block->loops) &&
 	            parts_read(reader, location, value, scene, bodies, &block->parts) &&
-	            (!bodies || format_read(reader, location, value, OBJECT_body, &block->def, 0, &block->numbers));
+	            (!bodies || format_read(reader, location, value, OBJECT_body, &block->def, 0, &block->numbers)) &&
+	            read_mass(reader, KEY(location, "mass"), json_object_get(value, "mass"), block) &&
+	            read_centered(reader, location, value, block);
 	reader->scope.count = names;
-	return good && read_churn(reader, KEY(location, "churn"), json_object_get(value, "churn"), block);
+	if (!good || !read_churn(reader, KEY(location, "churn"), json_object_get(value, "churn"), block))
+		return false;
+	return !block->massed || block->churn.replaced == 0 ||
+	       reader_fail(reader, KEY(location, "mass"), "the bodies are replaced, which ends their mass");
 }
 
 void block_free(Block* block)
@@ -102,4 +120,5 @@ void block_free(Block* block)
 	free(block->poses);
 	format_free(&block->numbers);
 	format_free(&block->churn_numbers);
+	format_free(&block->mass_numbers);
 }

@@ -15,6 +15,10 @@ struct Block
 	Parts parts;
 	int64_t count;     // number of items
 	scree_pose* poses; // initial poses of the bodies; null if the block has no name
+	bool centered;     // true: velocities are those of the centers of mass, also with collidables or a mass
+	bool massed;       // true: the bodies have a mass that the file sets
+	scree_mass mass;   // values that all bodies have in common
+	FormatNumbers mass_numbers;
 	Churn churn;
 	FormatNumbers churn_numbers; // numbers of churn; their expressions contain no loop index
 };
@@ -22,9 +26,6 @@ struct Block
 // Reads one entry of "bodies" or "collidables". The caller frees the block, also on failure.
 bool block_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
                 Block* block);
-
-// Returns the position in Scene.blocks of the block of bodies with this name, -1 if there is none.
-int block_find(const Scene* scene, const char* name);
 
 // Reads a text that must be the name of a block of bodies, and sets *block to its position in Scene.blocks.
 bool block_read_name(Reader* reader, const Location* location, const json_t* value, const Scene* scene, int* block);

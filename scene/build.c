@@ -4,6 +4,7 @@
 #include "scene/attribute_block.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
+#include "scene/exclusion_block.h"
 #include "scene/field_block.h"
 #include "scene/material_block.h"
 #include "scene/path_block.h"
@@ -21,6 +22,25 @@ typedef struct
 	scree_status status;
 } Build;
 
+// Sets the masses of a batch, and then the poses and velocities again: a mass or a collidable that moves the center of mass of a body
+// that rotates changes its velocity, and a mass rounds its pose.
+static scree_status build_masses(const Build* build, const Batch* batch, const scree_body* bodies)
+{
+	scree_status status = SCREE_OK;
+	if (batch->block->massed)
+		status = scree_bodies_set_masses(build->world, bodies, batch->masses, batch->count);
+	for (int k = 0; k < batch->count && status == SCREE_OK; ++k)
+	{
+		const scree_body_def* body = &batch->bodies[k];
+		bool turns = body->type == SCREE_BODY_DYNAMIC && body->velocity.angular != 0.0f;
+		if (batch->block->massed)
+			status = scree_body_set_pose(build->world, bodies[k], body->pose);
+		if (status == SCREE_OK && batch->block->centered && turns)
+			status = scree_body_set_velocity(build->world, bodies[k], body->velocity);
+	}
+	return status;
+}
+
 static bool build_batch(void* context, const void* items)
 {
 	Build* build = context;
@@ -33,9 +53,10 @@ static bool build_batch(void* context, const void* items)
 		batch->parts[k].attribute = build->attributes[batch->parts[k].attribute.index];
 
 	build->status = SCREE_OK;
+	scree_body* handles = NULL;
 	if (batch->bodies)
 	{
-		scree_body* handles = build->next ? build->next : parts > 0 ? build->bodies : NULL;
+		handles = build->next ? build->next : parts > 0 || block->massed || block->centered ? build->bodies : NULL;
 		build->status = scree_bodies_create(build->world, batch->bodies, batch->count, handles);
 		for (int k = 0; k < parts; ++k)
 			batch->parts[k].body = handles[k / block->parts.count];
@@ -44,6 +65,8 @@ static bool build_batch(void* context, const void* items)
 	}
 	if (build->status == SCREE_OK && parts > 0)
 		build->status = scree_collidables_create(build->world, batch->parts, parts, NULL);
+	if (build->status == SCREE_OK && batch->bodies && (block->massed || block->centered))
+		build->status = build_masses(build, batch, handles);
 	return build->status == SCREE_OK;
 }
 
@@ -91,7 +114,7 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 {
 	char sentence[SENTENCE_SIZE];
 	Reader* reader = calloc(1, sizeof(Reader));
-	scree_attribute* attributes = calloc((size_t)scene->attribute_count, sizeof(scree_attribute));
+	scree_attribute* attributes = calloc((size_t)scene->attribute_count + 1, sizeof(scree_attribute));
 	Build build = {.world = world, .attributes = attributes, .status = SCREE_ERROR_OUT_OF_MEMORY};
 	if (!open_build(&build, scene) || !reader || !attributes)
 		goto done;
@@ -121,6 +144,8 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 		if (!evaluate_joints(reader, scene, &scene->joint_blocks[k], build_joints, &build) && build.status == SCREE_OK)
 			build.status = SCREE_ERROR_OUT_OF_MEMORY;
 	}
+	if (build.status == SCREE_OK)
+		build.status = exclusions_build(scene, world, build.of_block);
 	for (int k = 0; k < scene->field_count && build.status == SCREE_OK; ++k)
 	{
 		const SceneField* field = &scene->fields[k];

@@ -46,6 +46,12 @@ static bool add_item(Items* items, void* context)
 		*body = block->def;
 		if (!items_store(items, &block->numbers, body))
 			return false;
+		if (block->massed)
+		{
+			batch->masses[index] = block->mass;
+			if (!items_store(items, &block->mass_numbers, &batch->masses[index]))
+				return false;
+		}
 		if (block->parts.simple)
 			return choice_of(items, &block->parts.list[0].choice, &body->attribute);
 	}
@@ -62,20 +68,23 @@ static bool add_item(Items* items, void* context)
 
 bool evaluate_block(Reader* reader, const Block* block, bool (*full)(void* context, const void* batch), void* context)
 {
-	Batch batch = {.block = block, .full = full, .context = context, .capacity = BATCH_SIZE / block->parts.count};
+	Batch batch = {.block = block, .full = full, .context = context, .capacity = BATCH_SIZE};
+	batch.capacity /= block->parts.count > 0 ? block->parts.count : 1;
 	if (block->count < batch.capacity)
 		batch.capacity = (int)block->count;
 	if (batch.capacity == 0)
 		return true;
 	size_t items = (size_t)batch.capacity;
-	bool parts = !block->bodies || !block->parts.simple;
+	bool parts = block->parts.count > 0 && !(block->bodies && block->parts.simple);
 	batch.bodies = block->bodies ? malloc(items * sizeof(scree_body_def)) : NULL;
+	batch.masses = block->massed ? malloc(items * sizeof(scree_mass)) : NULL;
 	batch.parts = parts ? malloc(items * (size_t)block->parts.count * sizeof(scree_collidable_def)) : NULL;
-	bool good = (batch.bodies || !block->bodies) && (batch.parts || !parts);
+	bool good = (batch.bodies || !block->bodies) && (batch.parts || !parts) && (batch.masses || !block->massed);
 	if (!good)
 		reader_fail(reader, NULL, "out of memory");
 	good = good && items_run(reader, &block->loops, add_item, &batch) && flush(&batch);
 	free(batch.bodies);
+	free(batch.masses);
 	free(batch.parts);
 	return good;
 }

@@ -10,6 +10,7 @@ typedef struct // consecutive items of a block; their attributes are positions i
 {
 	int count, capacity;         // number of items; maximum number
 	scree_body_def* bodies;      // array of count bodies, or null
+	scree_mass* masses;          // array of count masses; null unless Block.massed
 	scree_collidable_def* parts; // array of count * Block.parts.count collidables, or null
 	const Block* block;
 	bool (*full)(void* context, const void* batch); // function that receives a full batch; null: the items are dropped

@@ -45,7 +45,8 @@ static void couple(const Scene* scene, const JointBlock* block, const JointEnds*
 	for (int k = 0; k < 2; ++k)
 	{
 		measures[k] = measure(pose_of(scene, block, k, indices[k]), frames[k], def->sides + k);
-		def->sides[k].initial_angle = def->sides[k].measure == SCREE_MEASURE_ANGLE ? (float)measures[k] : 0.0f;
+		if (!block->turned[k])
+			def->sides[k].initial_angle = def->sides[k].measure == SCREE_MEASURE_ANGLE ? (float)measures[k] : 0.0f;
 	}
 	if (block->measured)
 		def->coordinates[SCREE_ALONG].target = (float)(measures[1] + (double)def->ratio * measures[0]);

@@ -4,6 +4,7 @@
 // The compiler is a recursive descent parser of sums, products, signs and atoms. It writes postfix code for a small
 // stack and already executes the operations on constants.
 #include "scene/expression.h"
+#include "scene/decimal.h"
 #include "scene/instruction.h"
 #include <ctype.h>
 #include <math.h>
@@ -114,9 +115,8 @@ static bool number(Parser* p)
 		return set_error(p, "number too long");
 	memcpy(digits, p->at, length);
 	digits[length] = 0;
-	char* end;
-	double value = strtod(digits, &end);
-	if (end != digits + length || !isfinite(value))
+	double value;
+	if (!decimal_read(digits, &value) || !isfinite(value))
 		return set_error(p, "malformed number");
 	p->at += length;
 	return emit(p, OP_CONSTANT, 0, value);

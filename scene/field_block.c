@@ -7,8 +7,6 @@
 #include "scene/joint_block.h"
 #include <stdlib.h>
 
-#define MOST_FIELDS 100000 // maximum number of fields of a scene; also that of explosions
-
 typedef struct // entry of "fields" or "blasts"; each of its items is added to the scene
 {
 	Scene* scene;
@@ -66,11 +64,9 @@ static bool read_region(Entry* e, const json_t* value)
 		return true;
 	if (!reader_string(e->reader, at, json_object_get(value, "attribute"), &name))
 		return false;
-	int found = attributes_find(e->scene, name);
-	if (!reader_work(e->reader, e->location, 1 + e->scene->attribute_count))
+	int found;
+	if (!attributes_find(e->scene, e->reader, at, name, &found))
 		return false;
-	if (found < 0)
-		return reader_fail(e->reader, at, "\"%.60s\" is not among the attributes", name);
 	e->def.shape = e->scene->attributes[found].def.shape;
 	if (e->def.type == SCREE_FIELD_BUOYANCY && (e->def.shape.kind != SCREE_SHAPE_POLYGON || e->def.shape.radius > 0.0f))
 		return reader_fail(e->reader, at, "a fluid needs a box or a polygon without rounding, and \"%.60s\" is none",

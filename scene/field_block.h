@@ -5,6 +5,8 @@
 #include "scene/reader.h"
 #include "scene/scene.h"
 
+#define MOST_FIELDS 100000 // maximum number of fields of a scene; also that of explosions
+
 struct SceneField
 {
 	scree_field_def def; // without its body

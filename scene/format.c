@@ -21,31 +21,33 @@
 // clang-format on
 #define MEMBER(object, member) STORE_OF(((StructOf_##object*)0)->member), offsetof(StructOf_##object, member)
 
-#define NUMBER(...)      TYPE_NUMBER, {__VA_ARGS__, false, false}, NULL
-#define WHOLE(...)       TYPE_NUMBER, {__VA_ARGS__, true, false}, NULL
-#define PAIR(...)        TYPE_PAIR, {__VA_ARGS__, false, false}, NULL
-#define WHOLE_PAIR(...)  TYPE_PAIR, {__VA_ARGS__, true, false}, NULL
-#define BOOLEAN          TYPE_BOOLEAN, NO_RANGE, NULL
-#define BITS             TYPE_BITS, NO_RANGE, NULL
-#define NAME(list)       TYPE_NAME, NO_RANGE, list
-#define NAMES(list)      TYPE_NAMES, NO_RANGE, list
-#define POINTS(...)      TYPE_OTHER, {__VA_ARGS__, true, false}, NULL
-#define OTHER            TYPE_OTHER, NO_RANGE, NULL
-#define AT_LEAST_ONE(of) OTHER
-#define ATTRIBUTE        OTHER
-#define BOX              OTHER
-#define BY_NAME(of, n)   OTHER
-#define CONSTANTS        OTHER
-#define END              OTHER
-#define LABEL            OTHER
-#define MANY(of)         OTHER
-#define NEW_NAME         OTHER
-#define NEW_NAMES(of)    OTHER
-#define ONE(of)          OTHER
-#define PATH_POINTS(of)  OTHER
-#define REPEAT           OTHER
-#define TEXT             TYPE_TEXT, NO_RANGE, NULL
-#define WORD             OTHER
+#define NUMBER(...)     TYPE_NUMBER, {__VA_ARGS__, false, false}, NULL
+#define WHOLE(...)      TYPE_NUMBER, {__VA_ARGS__, true, false}, NULL
+#define PAIR(...)       TYPE_PAIR, {__VA_ARGS__, false, false}, NULL
+#define WHOLE_PAIR(...) TYPE_PAIR, {__VA_ARGS__, true, false}, NULL
+#define ROTATION        TYPE_ROTATION, {-1.001, 1.001, false, false}, NULL
+#define BOOLEAN         TYPE_BOOLEAN, NO_RANGE, NULL
+#define BITS            TYPE_BITS, NO_RANGE, NULL
+#define USER            TYPE_USER, NO_RANGE, NULL
+#define NAME(list)      TYPE_NAME, NO_RANGE, list
+#define NAMES(list)     TYPE_NAMES, NO_RANGE, list
+#define POINTS(...)     TYPE_OTHER, {__VA_ARGS__, true, false}, NULL
+#define OTHER           TYPE_OTHER, NO_RANGE, NULL
+#define ATTRIBUTE       OTHER
+#define BOX             OTHER
+#define BY_NAME(of)     OTHER
+#define CONSTANTS       OTHER
+#define END             OTHER
+#define LABEL           OTHER
+#define MANY(of)        OTHER
+#define NEW_NAME        OTHER
+#define NEW_NAMES(of)   OTHER
+#define ONE(of)         OTHER
+#define ONE_OR_NULL(of) OTHER
+#define PATH_POINTS(of) OTHER
+#define REPEAT          OTHER
+#define TEXT            TYPE_TEXT, NO_RANGE, NULL
+#define WORD            OTHER
 
 static const FormatKey keys[] = {
 #define X(object, key, need, type, member, unit, text) \
@@ -92,6 +94,14 @@ static scree_joint_coordinate new_coordinate(void)
 {
 	scree_joint_coordinate made = scree_joint_def_make(SCREE_JOINT_FREE).coordinates[SCREE_ALONG];
 	made.lower = made.upper = NAN;
+	return made;
+}
+
+// Returns a side of a gear whose angle is NaN, which means that it is that of the bodies at the start.
+static scree_joint_side new_side(void)
+{
+	scree_joint_side made = scree_joint_def_make(SCREE_JOINT_GEAR).sides[0];
+	made.initial_angle = NAN;
 	return made;
 }
 
@@ -184,6 +194,22 @@ static bool read_pair(Reader* reader, const Location* location, const json_t* va
 	                   numbers);
 }
 
+// Reads a cosine and a sine. Their tolerance is that of scree.h.
+static bool read_rotation(Reader* reader, const Location* location, const json_t* value, const FormatKey* key,
+                          scree_rot* rotation)
+{
+	scree_vec v;
+	if (!json_is_array(value) || !json_is_number(json_array_get(value, 0)) || !json_is_number(json_array_get(value, 1)))
+		return reader_fail_value(reader, location, value, "must be a list of 2 numbers, without expressions");
+	if (!reader_vec(reader, location, value, key->range, &v))
+		return false;
+	double square = (double)v.x * v.x + (double)v.y * v.y;
+	if (!(square > 1.0 - 1e-3 && square < 1.0 + 1e-3))
+		return reader_fail_value(reader, location, value, "must be the cosine and sine of an angle");
+	*rotation = (scree_rot){v.x, v.y};
+	return true;
+}
+
 static bool read_value(Reader* reader, const Location* location, const json_t* value, const FormatKey* key, void* item,
                        size_t offset, FormatNumbers* numbers)
 {
@@ -194,10 +220,14 @@ static bool read_value(Reader* reader, const Location* location, const json_t* v
 		return read_number(reader, location, value, key, item, offset, numbers);
 	case TYPE_PAIR:
 		return read_pair(reader, location, value, key, item, offset, numbers);
+	case TYPE_ROTATION:
+		return read_rotation(reader, location, value, key, member);
 	case TYPE_BOOLEAN:
 		return reader_boolean(reader, location, value, member);
 	case TYPE_BITS:
 		return reader_bits(reader, location, value, member);
+	case TYPE_USER:
+		return reader_user(reader, location, value, member);
 	case TYPE_NAME:
 		return reader_name(reader, location, value, key->names, member);
 	case TYPE_NAMES:
@@ -219,6 +249,8 @@ bool format_read(Reader* reader, const Location* location, const json_t* value, 
 			continue;
 		if (!member && key->type != TYPE_NAME)
 			return reader_fail(reader, location, "%s is missing", key->name);
+		if (key->type == TYPE_ROTATION && json_object_get(value, "angle"))
+			return reader_fail(reader, location, "both angle and %s; one of them is enough", key->name);
 		if (!read_value(reader, KEY(location, key->name), member, key, item, offset + key->offset, numbers))
 			return false;
 	}

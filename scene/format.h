@@ -23,10 +23,12 @@ typedef enum // rule for the presence of a key in an object
 
 typedef enum
 {
-	TYPE_NUMBER, // a number or an expression, in a range
-	TYPE_PAIR,   // a list of two numbers
+	TYPE_NUMBER,   // a number or an expression, in a range
+	TYPE_PAIR,     // a list of two numbers
+	TYPE_ROTATION, // a cosine and a sine, equal in all items; the object has no key "angle" beside it
 	TYPE_BOOLEAN,
 	TYPE_BITS,  // a list of bit numbers
+	TYPE_USER,  // a word of 64 bits: a whole number, or a text such as "0x1f"
 	TYPE_NAME,  // a name from a list
 	TYPE_NAMES, // a list of names; each name stands for a bit
 	TYPE_TEXT,  // a string that nothing reads

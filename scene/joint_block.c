@@ -2,10 +2,10 @@
 // joint_block.c -- reads a block of joints of a scene: joints of one type, repeated over nested loops.
 #include "scene/joint_block.h"
 #include "scene/block.h"
-#include "scene/path_block.h"
+#include "scene/names.h"
 #include <string.h>
 
-// Reads an object of a coordinate (spring, motor, lock). Sets *there to true if the file has the object. needed: member
+// Reads an object of a coordinate (spring, motor, lock). Sets *there to true if the file has the object, to false if it is null. needed: member
 // without which the object has no effect; null: no such member.
 static bool read_group(Reader* reader, const Location* location, const json_t* object, const char* key,
                        FormatObject group, const char* needed, size_t start, JointBlock* block, bool* there)
@@ -14,7 +14,9 @@ static bool read_group(Reader* reader, const Location* location, const json_t* o
 	const Location* at = KEY(location, key);
 	if (!value)
 		return true;
-	*there = true;
+	*there = !json_is_null(value);
+	if (!*there)
+		return true;
 	if (!format_check(reader, at, value, group))
 		return false;
 	if (needed && !json_object_get(value, needed))
@@ -50,19 +52,14 @@ static bool read_coordinate(Reader* reader, const Location* location, const json
 
 bool joint_end_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, JointEnd* end)
 {
-	const char* name;
 	end->block = -1;
 	if (json_is_null(value))
 		return true;
 	if (!format_check(reader, location, value, OBJECT_end) ||
-	    !reader_string(reader, KEY(location, "body"), json_object_get(value, "body"), &name))
+	    !block_read_name(reader, KEY(location, "body"), json_object_get(value, "body"), scene, &end->block))
 		return false;
-	end->block = block_find(scene, name);
-	if (!reader_work(reader, location, 1 + scene->block_count))
-		return false;
-	if (end->block < 0)
-		return reader_fail(reader, KEY(location, "body"), "\"%.60s\" is not the name of an entry of bodies", name);
 	const Block* bodies = &scene->blocks[end->block];
+	const char* name = bodies->name;
 	if (bodies->churn.replaced > 0)
 		return reader_fail(reader, KEY(location, "body"),
 		                   "the bodies \"%s\" are replaced, which ends their joints and fields", name);
@@ -146,7 +143,9 @@ static bool read_coupling(Reader* reader, const Location* location, const json_t
 		const char* key = k ? "across" : "angle";
 		if (json_object_get(value, key))
 			return reader_fail(reader, KEY(location, key), "a gear or a pulley has the coordinate along only");
-		if (!read_side(reader, KEY(location, keys[k]), json_object_get(value, keys[k]), k, block))
+		const json_t* side = json_object_get(value, keys[k]);
+		block->turned[k] = json_object_get(side, "initial_angle") != NULL;
+		if (!read_side(reader, KEY(location, keys[k]), side, k, block))
 			return false;
 	}
 	block->measured |= block->coupled && !json_object_get(json_object_get(value, "along"), "target");
@@ -167,12 +166,8 @@ static bool read_on(Reader* reader, const Location* location, const json_t* valu
 		return true;
 	if (!reader_string(reader, KEY(location, "path"), json_object_get(value, "path"), &name))
 		return false;
-	block->on = paths_find(scene, name);
-	if (!reader_work(reader, location, 1 + scene->path_count))
-		return false;
-	if (block->on < 0)
-		return reader_fail(reader, KEY(location, "path"), "\"%.60s\" is not among the paths", name);
-	return true;
+	return names_find(&scene->names->paths, reader, KEY(location, "path"), name, &block->on) &&
+	       (block->on >= 0 || reader_fail(reader, KEY(location, "path"), "\"%.60s\" is not among the paths", name));
 }
 
 static bool read_joint(Reader* reader, const Location* location, const json_t* value, const Scene* scene,

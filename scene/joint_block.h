@@ -19,8 +19,9 @@ struct JointBlock
 	int on;              // position in Scene.paths; -1: not on a path
 	scree_joint_def def; // values that all items have in common
 	FormatNumbers numbers;
-	bool coupled;  // true for a gear or a pulley
-	bool measured; // true if the target is the value of the coordinate `along` at the initial poses
+	bool coupled;   // true for a gear or a pulley
+	bool turned[2]; // gear or pulley: true if the file gives the initial angle of the side
+	bool measured;  // true if the target is the value of the coordinate `along` at the initial poses
 	// true if the file gives anchors in the world, at the initial poses, and a direction of the x axes of both frames
 	bool placed;
 	Number anchors[2][2]; // m: x and y of both anchors, in the world

@@ -9,17 +9,16 @@
 #include "scene/controls.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
+#include "scene/exclusion_block.h"
 #include "scene/field_block.h"
 #include "scene/format.h"
 #include "scene/lidar.h"
 #include "scene/material_block.h"
+#include "scene/names.h"
 #include "scene/parameter_block.h"
 #include "scene/path_block.h"
 #include <stdlib.h>
 #include <string.h>
-
-// m: least size of a box of a picture. At a larger scale, the line of a shape has more pixels than Cairo draws in minutes.
-#define LEAST_VIEW 0.00999f
 
 static bool read_world(Reader* reader, const json_t* root, Scene* scene)
 {
@@ -192,18 +191,16 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 	scene->blocks = calloc(blocks + 1, sizeof(Block));
 	if (!scene->blocks)
 		return reader_fail(reader, NULL, "out of memory");
-	if (!read_blocks(reader, root, true, scene) || !read_blocks(reader, root, false, scene) ||
-	    !paths_read(reader, root, scene) || !materials_read(reader, root, scene) || !read_joints(reader, root, scene) ||
-	    !fields_read(reader, root, scene) || !blasts_read(reader, root, scene) || !fans_read(reader, root, scene) ||
-	    !controls_read(reader, root, scene) || !characters_read(reader, root, scene))
-		return false;
-	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
+	return read_blocks(reader, root, true, scene) && read_blocks(reader, root, false, scene) &&
+	       paths_read(reader, root, scene) && materials_read(reader, root, scene) && read_joints(reader, root, scene) &&
+	       exclusions_read(reader, root, scene) && fields_read(reader, root, scene) &&
+	       blasts_read(reader, root, scene) && fans_read(reader, root, scene) && controls_read(reader, root, scene) &&
+	       characters_read(reader, root, scene);
 }
 
-Scene* scene_load(const char* path, const SceneSetting* settings, int count, char* sentence)
+// Makes a scene of the JSON of a file, and releases it. root: null after an error, which `sentence` has.
+static Scene* make_scene(json_t* root, const char* name, const SceneSetting* settings, int count, char* sentence)
 {
-	FLOAT_MODE_HERE;
-	json_t* root = reader_load(path, sentence);
 	if (!root)
 	{
 		clean_text(sentence);
@@ -212,12 +209,17 @@ Scene* scene_load(const char* path, const SceneSetting* settings, int count, cha
 	Scene* scene = calloc(1, sizeof(Scene));
 	Reader* reader = calloc(1, sizeof(Reader));
 	bool good = scene && reader;
-	snprintf(sentence, SCENE_SENTENCE, "%.200s: out of memory", path);
+	if (good)
+		scene->names = calloc(1, sizeof(SceneNames));
+	good = good && scene->names;
+	snprintf(sentence, SCENE_SENTENCE, "%.200s: out of memory", name);
 	if (good)
 	{
-		reader->file = path;
+		SceneNames* names = scene->names;
+		reader->file = name;
 		reader->sentence = sentence;
 		format_default(OBJECT_scene, scene);
+		scene->names = names;
 		good = read_scene(reader, root, settings, count, scene);
 	}
 	if (good)
@@ -236,6 +238,19 @@ Scene* scene_load(const char* path, const SceneSetting* settings, int count, cha
 	return scene;
 }
 
+Scene* scene_load(const char* path, const SceneSetting* settings, int count, char* sentence)
+{
+	FLOAT_MODE_HERE;
+	return make_scene(reader_load(path, sentence), path, settings, count, sentence);
+}
+
+Scene* scene_parse(const void* text, size_t size, const char* name, const SceneSetting* settings, int count,
+                   char* sentence)
+{
+	FLOAT_MODE_HERE;
+	return make_scene(reader_parse(text, size, name, sentence), name, settings, count, sentence);
+}
+
 void scene_free(Scene* scene)
 {
 	if (!scene)
@@ -250,6 +265,14 @@ void scene_free(Scene* scene)
 	characters_free(scene);
 	paths_free(scene);
 	free(scene->materials);
+	free(scene->exclusions);
+	if (scene->names)
+	{
+		names_free(&scene->names->attributes);
+		names_free(&scene->names->blocks);
+		names_free(&scene->names->paths);
+	}
+	free(scene->names);
 	free(scene->fields);
 	free(scene->blasts);
 	free(scene->blocks);

@@ -10,12 +10,7 @@ static bool read_attribute_name(Reader* reader, const Location* location, const 
                                 int* found)
 {
 	const char* name;
-	if (!reader_string(reader, location, value, &name))
-		return false;
-	*found = attributes_find(scene, name);
-	if (!reader_work(reader, location, 1 + scene->attribute_count))
-		return false;
-	return *found >= 0 || reader_fail(reader, location, "\"%.60s\" is not among the attributes", name);
+	return reader_string(reader, location, value, &name) && attributes_find(scene, reader, location, name, found);
 }
 
 static bool read_choice(Reader* reader, const Location* location, const json_t* object, const Scene* scene,
@@ -142,7 +137,7 @@ bool parts_read(Reader* reader, const Location* location, const json_t* value, c
 		if (!read_part_entry(reader, at, json_array_get(list, (size_t)k), scene, parts))
 			return false;
 	}
-	return parts->count > 0 || reader_fail(reader, KEY(location, "collidables"), "an empty list");
+	return true;
 }
 
 void parts_free(Parts* parts)

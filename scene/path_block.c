@@ -3,6 +3,7 @@
 #include "scene/path_block.h"
 #include "scene/block_items.h"
 #include "scene/format.h"
+#include "scene/names.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -102,6 +103,8 @@ static bool read_all(Reader* reader, const Location* location, const json_t* val
 		if (strlen(name) >= NAME_SIZE || !*name)
 			return reader_fail(reader, KEY(location, name), "a name has 1 to %d characters", NAME_SIZE - 1);
 		strcpy(path->name, name);
+		if (!names_add(&scene->names->paths, path->name, scene->path_count - 1))
+			return reader_fail(reader, KEY(location, name), "out of memory");
 		if (!read_path(reader, KEY(location, name), entry, world, path))
 			return false;
 	}
@@ -133,14 +136,6 @@ void paths_free(Scene* scene)
 	for (int k = 0; k < scene->path_count; ++k)
 		free(scene->paths[k].points);
 	free(scene->paths);
-}
-
-int paths_find(const Scene* scene, const char* name)
-{
-	for (int k = 0; k < scene->path_count; ++k)
-		if (strcmp(scene->paths[k].name, name) == 0)
-			return k;
-	return -1;
 }
 
 scree_status path_build(const ScenePath* path, scree_world* world, scree_path* made)

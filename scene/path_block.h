@@ -17,9 +17,6 @@ struct ScenePath
 bool paths_read(Reader* reader, const json_t* root, Scene* scene);
 void paths_free(Scene* scene);
 
-// Returns the position of a name in Scene.paths, -1 if no path has this name.
-int paths_find(const Scene* scene, const char* name);
-
 // Creates a path in a world. *made gets the handle; may be null.
 scree_status path_build(const ScenePath* path, scree_world* world, scree_path* made);
 

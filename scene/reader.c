@@ -13,12 +13,14 @@
 
 int64_t reader_most_work = READER_WORK;
 
-typedef struct // file that Jansson reads
+typedef struct // file or text that Jansson reads
 {
-	FILE* file;
-	bool begun;   // true after the first part
-	int fault;    // errno of a failure; 0: none
-	int64_t size; // bytes so far
+	FILE* file;       // null: a text
+	const char* text; // part of the text that is left
+	size_t left;      // bytes of that part
+	bool begun;       // true after the first part
+	int fault;        // errno of a failure; 0: none
+	int64_t size;     // bytes so far
 } Source;
 
 // Reads the next part of a file, without the byte order mark that some editors write at the start of a text.
@@ -37,36 +39,64 @@ static size_t read_part(void* buffer, size_t size, void* context)
 	return count;
 }
 
-json_t* reader_load(const char* path, char* sentence)
+// Reads the next part of a text in memory, without the byte order mark.
+static size_t read_text(void* buffer, size_t size, void* context)
+{
+	Source* source = context;
+	if (!source->begun && source->left >= 3 && memcmp(source->text, "\xef\xbb\xbf", 3) == 0)
+	{
+		source->text += 3;
+		source->left -= 3;
+	}
+	source->begun = true;
+	size_t count = size < source->left ? size : source->left;
+	memcpy(buffer, source->text, count);
+	source->text += count;
+	source->left -= count;
+	return count;
+}
+
+// Reads a source to its end. name: of the file, for messages. On failure writes an error message and returns null.
+static json_t* read_source(Source* source, json_load_callback_t read, const char* name, char* sentence)
 {
 	json_error_t error = {.line = 0};
-	Source source = {.file = open_input(path)};
 	json_t* root = NULL;
-	if (source.file)
-	{
-		root = json_load_callback(read_part, &source, JSON_REJECT_DUPLICATES, &error);
-		fclose(source.file);
-	}
-	else
-		source.fault = errno;
-	if (root && source.fault == 0 && source.size <= READER_BYTES)
+	if (source->fault == 0 && source->size <= READER_BYTES)
+		root = json_load_callback(read, source, JSON_REJECT_DUPLICATES, &error);
+	if (root && source->fault == 0 && source->size <= READER_BYTES)
 		return root;
 	json_decref(root);
 	// one message of Jansson ends with the name of a flag of its C function
 	char* flag = strstr(error.text, " without JSON_");
 	if (flag)
 		*flag = 0;
-	if (source.size > READER_BYTES)
-		snprintf(sentence, SENTENCE_SIZE, "%.200s: has more than %lld bytes", path, (long long)READER_BYTES);
-	else if (source.fault != 0)
-		snprintf(sentence, SENTENCE_SIZE, "%.200s: %.200s", path,
-		         source.fault == EISDIR ? "is a folder" : strerror(source.fault));
+	if (source->size > READER_BYTES)
+		snprintf(sentence, SENTENCE_SIZE, "%.200s: has more than %lld bytes", name, (long long)READER_BYTES);
+	else if (source->fault != 0)
+		snprintf(sentence, SENTENCE_SIZE, "%.200s: %.200s", name,
+		         source->fault == EISDIR ? "is a folder" : strerror(source->fault));
 	else if (error.line > 0)
-		snprintf(sentence, SENTENCE_SIZE, "%.200s: line %d, column %d: %.200s", path, error.line, error.column,
+		snprintf(sentence, SENTENCE_SIZE, "%.200s: line %d, column %d: %.200s", name, error.line, error.column,
 		         error.text);
 	else
-		snprintf(sentence, SENTENCE_SIZE, "%.200s: out of memory", path);
+		snprintf(sentence, SENTENCE_SIZE, "%.200s: out of memory", name);
 	return NULL;
+}
+
+json_t* reader_load(const char* path, char* sentence)
+{
+	Source source = {.file = open_input(path)};
+	source.fault = source.file ? 0 : errno;
+	json_t* root = read_source(&source, read_part, path, sentence);
+	if (source.file)
+		fclose(source.file);
+	return root;
+}
+
+json_t* reader_parse(const void* text, size_t size, const char* name, char* sentence)
+{
+	Source source = {.text = text, .left = size, .size = (int64_t)size};
+	return read_source(&source, read_text, name, sentence);
 }
 
 void location_text(const Location* location, char* text, size_t size)
@@ -295,6 +325,20 @@ bool reader_names(Reader* reader, const Location* location, const json_t* value,
 	join("must be a list of", names, must, sizeof must);
 	return json_is_array(value) ||
 	       (value ? reader_fail_value(reader, location, value, must) : reader_fail(reader, location, "%s", must));
+}
+
+bool reader_user(Reader* reader, const Location* location, const json_t* value, uint64_t* user)
+{
+	const char* text = json_string_value(value);
+	size_t digits = text && strncmp(text, "0x", 2) == 0 ? strspn(text + 2, "0123456789abcdefABCDEF") : 0;
+	if (digits >= 1 && digits <= 16 && text[2 + digits] == 0)
+		*user = strtoull(text, NULL, 16);
+	else if (json_is_integer(value) && json_integer_value(value) >= 0)
+		*user = (uint64_t)json_integer_value(value);
+	else
+		return reader_fail_value(reader, location, value,
+		                         "must be a whole number from 0, or 0x with 1 to 16 hexadecimal digits as a string");
+	return true;
 }
 
 bool reader_bits(Reader* reader, const Location* location, const json_t* value, uint64_t* bits)

@@ -67,6 +67,9 @@ typedef struct // a number that may differ between items
 // characters) and returns null.
 json_t* reader_load(const char* path, char* sentence);
 
+// Likewise, from the text of a file. name: of the file, for messages.
+json_t* reader_parse(const void* text, size_t size, const char* name, char* sentence);
+
 // Writes the error message "FILE: PLACE: ..." and returns false.
 bool reader_fail(Reader* reader, const Location* location, const char* format, ...) READER_FORMAT(3, 4);
 
@@ -102,6 +105,9 @@ bool reader_name(Reader* reader, const Location* location, const json_t* value, 
                  uint32_t* position);
 bool reader_names(Reader* reader, const Location* location, const json_t* value, const char* const* names,
                   uint32_t* bits);
+
+// Reads a word of 64 bits: a whole number, or a text of 0x and hexadecimal digits for numbers that other programs round.
+bool reader_user(Reader* reader, const Location* location, const json_t* value, uint64_t* user);
 
 // Reads a list of numbers of bits; a JSON number could not contain all 64 bits.
 bool reader_bits(Reader* reader, const Location* location, const json_t* value, uint64_t* bits);

@@ -59,9 +59,8 @@ static void test_bad_keys(void** state)
 	    {"{\"title\": \"y\"}", "name: is missing"},
 	    {HEAD "\"atributes\": {}}", "unknown key \"atributes\"; known are"},
 	    {HEAD "\"attributes\": 5}", "attributes: 5 must be an object"},
-	    {HEAD "\"attributes\": {}}", "at least one attribute"},
+	    {HEAD "\"bodies\": []}", "attributes: is missing"},
 	    {HEAD GOOD_ATTRIBUTES "\"bodies\": 5}", "bodies: 5 must be a list"},
-	    {HEAD GOOD_ATTRIBUTES "\"bodies\": []}", "no bodies and no collidables"},
 	    {BODY("\"attribute\": \"a\", \"positon\": [0, 0]"), "bodies[1]: unknown key \"positon\""},
 	    {BODY("\"attribute\": \"a\", \"position\": 3"), "bodies[1].position: 3 must be a list of 2 numbers"},
 	    {BODY("\"attribute\": \"a\", \"position\": [3]"), "bodies[1].position: [3] must be a list of 2 numbers"},
@@ -78,6 +77,11 @@ static void test_bad_keys(void** state)
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
 
+#define TWO_NAMED(members)                                                                                             \
+	HEAD GOOD_ATTRIBUTES                                                                                               \
+	    "\"bodies\": [{\"name\": \"one\", \"attribute\": \"a\"}, {\"name\": \"two\", \"attribute\": \"a\"}], " members \
+	    "}"
+
 static void test_bad_references(void** state)
 {
 	(void)state;
@@ -86,7 +90,35 @@ static void test_bad_references(void** state)
 	    {BODY("\"attribute\": \"c\""), "bodies[1].attribute: \"c\" is not among the attributes"},
 	    {BODY("\"attribute\": [\"a\", \"b\"]"), "bodies[1]: a list of attributes needs choose"},
 	    {BODY("\"attribute\": [\"a\", \"b\"], \"choose\": 2"), "bodies[1].choose: 2 must be at most 1"},
-	    {BODY("\"collidables\": []"), "bodies[1].collidables: an empty list"},
+	    {BODY("\"collidables\": {}"), "bodies[1].collidables: {} must be a list"},
+	    {BODY("\"attribute\": \"a\", \"angle\": 1, \"rotation\": [1, 0]"), "bodies[1]: both angle and rotation"},
+	    {BODY("\"attribute\": \"a\", \"rotation\": [1, 0.5]"),
+	     "bodies[1].rotation: [1,0.5] must be the cosine and sine of an angle"},
+	    {BODY("\"attribute\": \"a\", \"rotation\": [1, \"0\"]"),
+	     "bodies[1].rotation: [1,\"0\"] must be a list of 2 numbers, without expressions"},
+	    {BODY("\"attribute\": \"a\", \"user\": -1"), "bodies[1].user: -1 must be a whole number from 0, or 0x"},
+	    {BODY("\"attribute\": \"a\", \"user\": \"0x10000000000000000\""),
+	     "bodies[1].user: \"0x10000000000000000\" must"},
+	    {BODY("\"attribute\": \"a\", \"user\": 1.5"), "bodies[1].user: 1.5 must be a whole number"},
+	    {BODY("\"attribute\": \"a\", \"mass\": 3"), "bodies[1].mass: 3 must be an object"},
+	    {BODY("\"attribute\": \"a\", \"mass\": {}"), "bodies[1].mass: mass is missing"},
+	    {BODY("\"attribute\": \"a\", \"mass\": {\"mass\": 0}"), "bodies[1].mass.mass: 0 must be positive"},
+	    {BODY("\"attribute\": \"a\", \"mass\": {\"mass\": 1, \"inertia\": 1e-30}"),
+	     "bodies[1].mass.inertia: 1e-30 is too close to 0"},
+	    {BODY("\"attribute\": \"a\", \"type\": \"static\", \"mass\": {\"mass\": 1}"),
+	     "bodies[1].mass: only a dynamic body has a mass"},
+	    {BODY("\"attribute\": \"a\", \"mass\": {\"mass\": 1}, \"churn\": {\"position\": [0, 0], \"replaced\": 1}"),
+	     "bodies[1].mass: the bodies are replaced"},
+	    {HEAD "\"attributes\": {\"b\": {\"box\": [1, 1], \"center\": [0, 0]}}}",
+	     "attributes.b.center: only a circle has it"},
+	    {TWO_NAMED("\"exclusions\": 1"), "exclusions: 1 must be a list"},
+	    {TWO_NAMED("\"exclusions\": [{\"a\": null, \"b\": {\"body\": \"one\"}}]"),
+	     "exclusions[0].a: null must be a body"},
+	    {TWO_NAMED("\"exclusions\": [{\"a\": {\"body\": \"one\"}}]"), "exclusions[0].b: is missing"},
+	    {TWO_NAMED("\"exclusions\": [{\"a\": {\"body\": \"one\"}, \"b\": {\"body\": \"one\"}}]"),
+	     "exclusions: a and b are the same body"},
+	    {TWO_NAMED("\"exclusions\": [{\"a\": {\"body\": \"one\"}, \"b\": {\"body\": \"three\"}}]"),
+	     "exclusions[0].b.body: \"three\" is not the name"},
 	    {BODY("\"collidables\": [{\"attribute\": \"d\"}]"), "bodies[1].collidables[0].attribute: \"d\" is not among"},
 	    {BODY("\"attribute\": \"a\", \"churn\": 3"), "bodies[1].churn: 3 must be an object"},
 	    {BODY("\"attribute\": \"a\", \"churn\": {\"moved\": 1}"), "bodies[1].churn: position is missing"},
@@ -130,7 +162,8 @@ static void test_bad_rays(void** state)
 	    {RAYS("\"count\": 1, \"length\": 1, \"radius\": -1"), "rays[0].radius: -1 must not be negative"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"angle\": \"i\""), "rays[0].angle: \"i\": i is no parameter"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"position\": 3"), "rays[0].position: 3 must be a list of 2 numbers"},
-	    {RAYS("\"count\": 1, \"length\": 1, \"from\": \"ear\""), "rays[0].from: \"ear\" is not the name of bodies"},
+	    {RAYS("\"count\": 1, \"length\": 1, \"from\": \"ear\""),
+	     "rays[0].from: \"ear\" is not the name of an entry of bodies"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"from\": 3"), "rays[0].from: 3 must be a string"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"sees\": \"static\""), "rays[0].sees: \"static\" must be a list of"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"sees\": [\"all\"]"),
@@ -176,7 +209,7 @@ static void test_bad_characters(void** state)
 	const BadScene cases[] = {
 	    {HERO("3"), "characters: 3 must be a list"},
 	    {HERO("[{\"speed\": 1}]"), "characters[0].body: is missing"},
-	    {HERO("[{\"body\": \"him\"}]"), "characters[0].body: \"him\" is not the name of bodies"},
+	    {HERO("[{\"body\": \"him\"}]"), "characters[0].body: \"him\" is not the name of an entry of bodies"},
 	    {HERO("[{\"body\": \"wall\"}]"), "characters[0].body: must be the name of kinematic bodies"},
 	    {HERO("[{\"body\": \"none\"}]"), "characters[0].body: has no bodies"},
 	    {HERO("[{\"body\": \"hero\", \"takes\": \"gold\"}]"), "characters[0].takes: \"gold\" is not the name"},
@@ -304,7 +337,7 @@ static void test_bad_paths(void** state)
 	          "\"type\": \"path\""),
 	     "paths.rail.points[0].position[0]: \"1e5 * k\" is 200000, must be at most 100000, at k = 2"},
 	    {RAIL("{\"rail\": {\"points\": [[0, 0], [1, 0]], \"bends\": 1}}", "\"type\": \"path\""),
-	     "paths.rail: unknown key \"bends\"; known are points, closed, description"},
+	     "paths.rail: unknown key \"bends\"; known are points, closed, user, description"},
 	    {RAIL("{\"rail\": {\"points\": [{}, [1, 0], [2, 0]]}}", "\"type\": \"path\""),
 	     "paths.rail.points[0].position: is missing"},
 	    {RAIL("{\"rail\": {\"points\": [[0, 0], {\"position\": [\"k\", 1], \"repeat\": {\"index\": \"k\", \"to\": "

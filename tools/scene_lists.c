@@ -14,37 +14,39 @@
 
 // Initializer of a type: its members in a JSON schema, and its words in a table. Both are null except for TYPE_OTHER
 // and TYPE_TEXT, because FormatKey.type determines them.
-#define GENERIC          NULL, NULL
-#define NUMBER(...)      GENERIC
-#define WHOLE(...)       GENERIC
-#define PAIR(...)        GENERIC
-#define WHOLE_PAIR(...)  GENERIC
-#define BOOLEAN          GENERIC
-#define BITS             GENERIC
-#define NAME(list)       GENERIC
-#define NAMES(list)      GENERIC
-#define REF(of)          "\"$ref\": \"#/$defs/" #of "\""
-#define ARRAY(of)        "\"type\": \"array\", \"items\": {" of "}"
-#define MAP(of)          "\"type\": \"object\", \"additionalProperties\": {" of "}"
-#define NEW(of)          MAP(of) ", \"propertyNames\": {" REF(name) "}"
-#define LINK(of)         "[" #of "](#" #of ")"
-#define STRING           "\"type\": \"string\""
-#define POINTS(...)      ARRAY(REF(point)), "list of points"
-#define AT_LEAST_ONE(of) ARRAY(REF(of)) ", \"minItems\": 1", "list of " LINK(of)
-#define ATTRIBUTE        REF(attribute_name), "name, or list of names"
-#define BOX              ARRAY(REF(metres)) ", \"minItems\": 4, \"maxItems\": 4", "left, bottom, right, top"
-#define BY_NAME(of, n)   MAP(REF(of)) ", \"propertyNames\": {" REF(label) "}, \"minProperties\": " #n, LINK(of) " by name"
-#define CONSTANTS        NEW(REF(constant)), "numbers by name"
-#define END              "\"oneOf\": [{\"type\": \"null\"}, {" REF(end) "}]", LINK(end) " or null"
-#define LABEL            REF(label), "text"
-#define MANY(of)         ARRAY(REF(of)), "list of " LINK(of)
-#define NEW_NAME         REF(name), "text"
-#define NEW_NAMES(of)    NEW(REF(of)), LINK(of) " by name"
-#define ONE(of)          REF(of), LINK(of)
-#define PATH_POINTS(of)  ARRAY("\"anyOf\": [{" REF(point) "}, {" REF(of) "}]"), "list of points and of " LINK(of)
-#define REPEAT           REF(repeat), LINK(loop) ", or list of 1 to 4"
-#define TEXT             STRING, "text"
-#define WORD             STRING ", \"minLength\": 1", "text"
+#define GENERIC         NULL, NULL
+#define NUMBER(...)     GENERIC
+#define WHOLE(...)      GENERIC
+#define PAIR(...)       GENERIC
+#define WHOLE_PAIR(...) GENERIC
+#define ROTATION        GENERIC
+#define BOOLEAN         GENERIC
+#define BITS            GENERIC
+#define USER            GENERIC
+#define NAME(list)      GENERIC
+#define NAMES(list)     GENERIC
+#define REF(of)         "\"$ref\": \"#/$defs/" #of "\""
+#define ARRAY(of)       "\"type\": \"array\", \"items\": {" of "}"
+#define MAP(of)         "\"type\": \"object\", \"additionalProperties\": {" of "}"
+#define NEW(of)         MAP(of) ", \"propertyNames\": {" REF(name) "}"
+#define LINK(of)        "[" #of "](#" #of ")"
+#define STRING          "\"type\": \"string\""
+#define POINTS(...)     ARRAY(REF(point)), "list of points"
+#define ATTRIBUTE       REF(attribute_name), "name, or list of names"
+#define BOX             ARRAY(REF(metres)) ", \"minItems\": 4, \"maxItems\": 4", "left, bottom, right, top"
+#define BY_NAME(of)     MAP(REF(of)) ", \"propertyNames\": {" REF(label) "}", LINK(of) " by name"
+#define CONSTANTS       NEW(REF(constant)), "numbers by name"
+#define LABEL           REF(label), "text"
+#define MANY(of)        ARRAY(REF(of)), "list of " LINK(of)
+#define NEW_NAME        REF(name), "text"
+#define NEW_NAMES(of)   NEW(REF(of)), LINK(of) " by name"
+#define ONE(of)         REF(of), LINK(of)
+#define ONE_OR_NULL(of) "\"oneOf\": [{\"type\": \"null\"}, {" REF(of) "}]", LINK(of) " or null"
+#define END             ONE_OR_NULL(end)
+#define PATH_POINTS(of) ARRAY("\"anyOf\": [{" REF(point) "}, {" REF(of) "}]"), "list of points and of " LINK(of)
+#define REPEAT          REF(repeat), LINK(loop) ", or list of 1 to 4"
+#define TEXT            STRING, "text"
+#define WORD            STRING ", \"minLength\": 1", "text"
 
 static const struct
 {
@@ -80,15 +82,18 @@ static const char definitions[] =
     "\"type\": [\"number\", \"string\"]},\n"
     "\t\t\"name\": {\"type\": \"string\", \"pattern\": \"^[a-z_][a-z0-9_]{0,30}$\"},\n"
     "\t\t\"label\": {\"type\": \"string\", \"minLength\": 1, \"maxLength\": 31},\n"
-    "\t\t\"vector\": {" ARRAY(
-        REF(number)) ", \"minItems\": 2, \"maxItems\": 2},\n"
-                     "\t\t\"bits\": {\"description\": \"numbers of bits that are set, 0 to 63\", \"type\": "
-                     "\"array\", "
-                     "\"items\": {" REF(number) ", \"minimum\": 0, \"maximum\": 63, \"multipleOf\": 1}},\n"
-                                                "\t\t\"attribute_name\": {\"oneOf\": [{" STRING "}, {" ARRAY(
-                                                    STRING) ", \"minItems\": 1}]},\n"
-                                                            "\t\t\"repeat\": {\"oneOf\": [{" REF(loop) "}, {" ARRAY(
-                                                                REF(loop)) ", \"minItems\": 1, \"maxItems\": 4}]}";
+    "\t\t\"vector\": {" ARRAY(REF(
+        number)) ", \"minItems\": 2, \"maxItems\": 2},\n"
+                 "\t\t\"bits\": {\"description\": \"numbers of bits that are set, 0 to 63\", \"type\": "
+                 "\"array\", "
+                 "\"items\": {" REF(
+                     number) ", \"minimum\": 0, \"maximum\": 63, \"multipleOf\": 1}},\n"
+                             "\t\t\"attribute_name\": {\"oneOf\": [{" STRING "}, {" ARRAY(
+                                 STRING) ", \"minItems\": 1}]},\n"
+                                         "\t\t\"user\": {\"oneOf\": [{\"type\": \"integer\", \"minimum\": 0}, {" STRING
+                                         ", \"pattern\": \"^0x[0-9a-fA-F]{1,16}$\"}]},\n"
+                                         "\t\t\"repeat\": {\"oneOf\": [{" REF(loop) "}, {" ARRAY(
+                                             REF(loop)) ", \"minItems\": 1, \"maxItems\": 4}]}";
 
 // Returns a number with this many digits as text, with the exponent of 1e6 instead of 1e+06.
 static const char* with_digits(double value, int digits)
@@ -156,7 +161,8 @@ static void print_default(const FormatKey* key, const char* made, const char* be
 	const char* quote = json ? "\"" : "";
 	double value = key->special ? NAN : stored(key, member);
 	uint64_t bits = key->type == TYPE_BITS ? *(const uint64_t*)member : 0;
-	if (key->special || key->need == NEED_MUST || (key->store == STORE_FLOAT && isnan(value)))
+	if (key->special || key->need == NEED_MUST || key->type == TYPE_ROTATION ||
+	    (key->store == STORE_FLOAT && isnan(value)))
 		return;
 	if ((key->type == TYPE_NUMBER && value >= FLT_MAX) || bits == ~(uint64_t)0)
 	{
@@ -164,7 +170,7 @@ static void print_default(const FormatKey* key, const char* made, const char* be
 		return;
 	}
 	printf("%s", before);
-	if (key->type == TYPE_NUMBER)
+	if (key->type == TYPE_NUMBER || key->type == TYPE_USER)
 		printf("%s", number(value));
 	else if (key->type == TYPE_PAIR)
 		printf("[%s, %s]", number((double)((const float*)member)[0]), number((double)((const float*)member)[1]));
@@ -220,6 +226,12 @@ static void print_key(const FormatKey* key, size_t index, const char* made)
 		printf(", " REF(vector) ", \"items\": {" REF(number));
 		print_range(key->range);
 		printf("}");
+		break;
+	case TYPE_ROTATION:
+		printf(", " ARRAY("\"type\": \"number\"") ", \"minItems\": 2, \"maxItems\": 2");
+		break;
+	case TYPE_USER:
+		printf(", " REF(user));
 		break;
 	case TYPE_BOOLEAN:
 		printf(", \"type\": \"boolean\"");
@@ -282,6 +294,8 @@ static void print_type(const FormatKey* key, size_t index)
 {
 	static const char* const words[][2] = {[TYPE_NUMBER] = {"number", "whole number"},
 	                                       [TYPE_PAIR] = {"2 numbers", "2 whole numbers"},
+	                                       [TYPE_ROTATION] = {"cosine and sine"},
+	                                       [TYPE_USER] = {"whole number, or hexadecimal digits as \"0x1f\""},
 	                                       [TYPE_BOOLEAN] = {"true or false"},
 	                                       [TYPE_BITS] = {"list of bits"},
 	                                       [TYPE_NAME] = {"one of "},
