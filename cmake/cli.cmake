@@ -2,7 +2,7 @@
 file(GLOB cli_sources CONFIGURE_DEPENDS cli/*.c)
 file(GLOB cli_common_sources CONFIGURE_DEPENDS cli/common/*.c)
 
-if(cli_sources AND SCREE_BUILD_CLI AND TARGET scree_scene)
+if(cli_sources AND SCREE_BUILD_CLI AND TARGET scree_scene_internals)
 	# scree_paper links this library too
 	add_library(scree_cli_common STATIC ${cli_common_sources})
 	add_executable(scree_cli ${cli_sources})
@@ -18,7 +18,7 @@ if(cli_sources AND SCREE_BUILD_CLI AND TARGET scree_scene)
 		target_link_libraries(scree_cli PRIVATE scree_window)
 		target_compile_definitions(scree_cli PRIVATE SCREE_HAVE_WINDOW)
 	endif()
-	target_link_libraries(scree_cli_common PUBLIC scree_scene scree_common scree_internals)
+	target_link_libraries(scree_cli_common PUBLIC scree_scene_internals scree_common scree_internals)
 	target_link_libraries(scree_cli PRIVATE scree_cli_common scree_validate)
 	add_dependencies(scree_products scree_cli)
 endif()

@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 
 set(forms "")
-foreach(name static shared)
+foreach(name static shared scene_static scene_shared)
 	if(TARGET scree_${name})
 		list(APPEND forms scree_${name})
 	endif()
@@ -12,7 +12,10 @@ install(TARGETS ${forms} EXPORT scree-targets
 	ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
 	LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
 	RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY include/scree DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(FILES include/scree/scree.h include/scree/scree_math.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scree)
+if(TARGET scree::scene)
+	install(FILES include/scree/scree_scene.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scree)
+endif()
 if(TARGET scree_cli)
 	install(TARGETS scree_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 	install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/scree FILES_MATCHING PATTERN "*.json")
@@ -50,6 +53,10 @@ if(NOT pc_url)
 endif()
 configure_file(cmake/scree.pc.in ${PROJECT_BINARY_DIR}/scree.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/scree.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+if(TARGET scree::scene)
+	configure_file(cmake/scree_scene.pc.in ${PROJECT_BINARY_DIR}/scree_scene.pc @ONLY)
+	install(FILES ${PROJECT_BINARY_DIR}/scree_scene.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
 
 if(top)
 	# The list of CMake, install_manifest.txt, is also written by cpack, whose files are not those of the user.

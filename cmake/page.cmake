@@ -18,7 +18,7 @@ add_executable(scree_page web/page.c web/page_tools.c web/page_change.c web/page
 scree_flags(scree_page)
 scree_glsl(scree_page)
 set_target_properties(scree_page PROPERTIES OUTPUT_NAME scree-${form} SUFFIX .js)
-target_link_libraries(scree_page PRIVATE scree_scene scree_common scree_internals m)
+target_link_libraries(scree_page PRIVATE scree_scene_internals scree_common scree_internals m)
 target_compile_options(scree_page PRIVATE -O2) # drawing takes as long as a step
 target_link_options(scree_page PRIVATE -O2 -sMODULARIZE -sEXPORT_ES6 -sEXPORT_NAME=scree -sENVIRONMENT=web,worker
 	-sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2GB -sINITIAL_MEMORY=64MB -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2

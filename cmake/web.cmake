@@ -53,7 +53,7 @@ if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 	endif()
 endif()
 
-if(TARGET scree_scene)
+if(TARGET scree_scene_internals)
 	set_target_properties(golden PROPERTIES EXCLUDE_FROM_ALL OFF)
 	# NODERAWFS gives access to real files; with threads, main runs in a separate thread, which may wait for other
 	# threads

@@ -5,6 +5,7 @@
 #include "platform/exact_floats.h"
 #include "scene/scene_keys.h"
 #include "scree/scree.h"
+#include "scree/scree_scene.h"
 #include <stdio.h>
 
 #define SCENE_MAX_BODIES 16777216 // maximum number of bodies of a world; likewise of collidables, and of joints
@@ -19,6 +20,8 @@ typedef struct JointBlock JointBlock;         // defined in scene/joint_block.h
 typedef struct Attribute Attribute;           // defined in scene/attribute_block.h
 typedef struct ScenePath ScenePath;           // defined in scene/path_block.h
 typedef struct SceneMaterials SceneMaterials; // defined in scene/material_block.h
+typedef struct SceneExclusion SceneExclusion; // defined in scene/exclusion_block.h
+typedef struct SceneNames SceneNames;         // defined in scene/names.h
 typedef struct SceneField SceneField;         // defined in scene/field_block.h
 typedef struct Cue Cue;                       // defined in scene/character.h
 
@@ -73,8 +76,8 @@ typedef struct // mover, the body that shows it, and its script
 
 typedef struct
 {
-	char name[64];
-	char title[160];
+	char name[SCREE_SCENE_NAME];
+	char title[SCREE_SCENE_TITLE];
 	scree_world_def world; // the caller sets device, threads and lanes
 	float dt;              // s: length of a step
 	int substeps;
@@ -87,12 +90,15 @@ typedef struct
 	int body_count, collidable_count, joint_count;
 
 	uint64_t seed;
+	SceneNames* names;
 	Attribute* attributes;
 	int attribute_count;
 	ScenePath* paths;
 	int path_count;
 	SceneMaterials* materials;
 	int material_count;
+	SceneExclusion* exclusions;
+	int exclusion_count;
 	SceneField* fields;
 	int field_count;
 	SceneBlast* blasts;
@@ -109,11 +115,7 @@ typedef struct
 	int fan_count, ray_count; // number of fans, and number of rays of all bodies after each step
 } Scene;
 
-typedef struct // setting of a parameter by --set NAME=VALUE
-{
-	const char* name;
-	const char* value; // number, or expression without names
-} SceneSetting;
+typedef scree_scene_setting SceneSetting;
 
 typedef enum // setting of a user that replaces the key "sleep" of a scene
 {

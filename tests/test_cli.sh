@@ -155,6 +155,10 @@ grep -qE '^pool.pose\+4 y  +[0-9]+ of [0-9]+ differ; item [0-9]+: [0-9a-f]{8} \(
 refuse 2 'are not a snapshot' diff early.snap rows.csv
 refuse 2 'are not a snapshot' run "${churn[@]}" --load rows.csv
 refuse 2 'cannot read nowhere.snap: No such file' run "${churn[@]}" --load nowhere.snap
+expect 0 'steps          10 in' run pyramid --device cpu --steps 10 --set rows=8 --write-scene tower.json
+expect 0 'steps          5 in' run tower.json --device cpu --steps 5 --write-scene tower.json
+grep -q '"name": "tower"' tower.json || fail "--write-scene: the name is not that of the file"
+refuse 1 'nowhere/x.json: cannot be written: No such file or directory' run pyramid --device cpu --set rows=3 --steps 2 --write-scene nowhere/x.json
 refuse 1 'cannot write nowhere/x.snap' run "${churn[@]}" --steps 2 --save nowhere/x.snap
 
 # characters, which are beside the world, are in the file too

@@ -20,7 +20,7 @@ awk -v folder="$folder" '
 		file = FILENAME
 		gsub(/^docs\/manual\/|\.md$/, "", file)
 		file = folder "/" file "_" where ".c"
-		print "#include <scree/scree_math.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>" >file
+		print "#include <scree/scree_math.h>\n#include <scree/scree_scene.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>" >file
 		print file
 	}
 	FNR == 1 { if (inside) print "FAILED: a fragment has no end before " FILENAME; inside = 0; mark = "" }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # test_package.sh -- installs the library into a scratch folder, and builds the examples with it, static and shared: all
-# through CMake, and hello.c also through pkg-config. The four builds of hello.c must print the same.
+# through CMake, and hello.c and scene.c also through pkg-config. The four builds of each must print the same.
 set -euo pipefail
 scratch=$SCREE_BUILD/package
 rm -rf "$scratch"
@@ -23,6 +23,10 @@ for shared in OFF ON; do
 	LD_LIBRARY_PATH=$libdir "$build/car" | tee "$scratch/car_$shared.txt"
 	LD_LIBRARY_PATH=$libdir "$build/time" | tee "$scratch/time_$shared.txt"
 	LD_LIBRARY_PATH=$libdir "$build/rollback" --demo --threads 1 --speed 8 --frames 240 --delay 60 --log 240
+	if [ -f "$libdir/libscree_scene.a" ]; then
+		LD_LIBRARY_PATH=$libdir "$build/scene" "$SCREE_SOURCE/scenes/wrecking-ball.json" "$scratch/scene_$shared.json" | tee "$scratch/scene_$shared.txt"
+		grep -q 'bodies after 60 steps' "$scratch/scene_$shared.txt"
+	fi
 	linked=$(objdump -p "$build/hello" | grep -c 'NEEDED.*libscree' || true)
 	[ "$linked" = "$([ $shared = ON ] && echo 1 || echo 0)" ] || { echo "BUILD_SHARED_LIBS=$shared links the wrong library"; exit 1; }
 done
@@ -40,6 +44,20 @@ LD_LIBRARY_PATH=$libdir "$scratch/hello_shared" | tee "$scratch/pc_shared.txt"
 for other in cmake_ON pc_shared pc_static; do
 	cmp "$scratch/cmake_OFF.txt" "$scratch/$other.txt"
 done
+if [ -f "$libdir/libscree_scene.a" ]; then
+	cmp "$scratch/scene_OFF.json" "$scratch/scene_ON.json"
+	scene=$SCREE_SOURCE/examples/scene.c
+	$CC -std=c17 -Wall -Wextra -Werror "$scene" -o "$scratch/scene_shared" $(pkg-config --cflags --libs scree_scene)
+	$CC -std=c17 -Wall -Wextra -Werror "$scene" -o "$scratch/scene_static" $(pkg-config --cflags scree_scene) "$libdir/libscree_scene.a" \
+		"$libdir/libscree.a" $(pkg-config --static --libs scree_scene | sed 's/-lscree\(_scene\)*//g')
+	for form in shared static; do
+		LD_LIBRARY_PATH=$libdir "$scratch/scene_$form" "$SCREE_SOURCE/scenes/wrecking-ball.json" "$scratch/scene_pc.json"
+		sed -i 's/scene_pc/scene_OFF/g' "$scratch/scene_pc.json"
+		cmp "$scratch/scene_OFF.json" "$scratch/scene_pc.json"
+	done
+	strangers=$(nm -D --defined-only "$libdir/libscree_scene.so" | awk '{print $3}' | grep -v '^scree_scene_' || true)
+	[ -z "$strangers" ] || { echo "libscree_scene.so exports: $strangers"; exit 1; }
+fi
 grep -q 'the box rests at .*, 0\.[45]' "$scratch/cmake_OFF.txt"
 # the car drives over the bump and stays on its wheels
 cmp "$scratch/car_OFF.txt" "$scratch/car_ON.txt"
@@ -53,8 +71,9 @@ strangers=$(nm -D --defined-only "$libdir/libscree.so" | awk '{print $3}' | grep
 strangers=$(nm -g --defined-only "$libdir/libscree.a" | awk 'NF == 3 { print $3 }' | grep -v '^scree_' || true)
 [ -z "$strangers" ] || { echo "libscree.a has the global names" $strangers; exit 1; }
 
-# both headers also compile as C++
+# all headers also compile as C++
 if command -v c++ >/dev/null; then
+	echo '#include <scree/scree_scene.h>' | c++ -x c++ -fsyntax-only -Wall -Wextra -Werror -I "$SCREE_SOURCE/include" -
 	echo '#include <scree/scree_math.h>' | c++ -x c++ -fsyntax-only -Wall -Wextra -Werror $(pkg-config --cflags scree) -
 fi
 

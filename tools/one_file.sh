@@ -16,5 +16,5 @@ host=$(find src -name '*.c' | LC_ALL=C sort | grep -v -e '^src/opencl/' -e '/one
 	# the list of files must be split into words
 	awk -v root=. -f tools/one_file.awk $host src/cpu/lanes1.c src/cpu/lanes4.c src/cpu/scalar_avx2.c src/cpu/lanes8.c src/cpu/lanes16.c
 } >"$folder/scree_all.c.new"
-cp include/scree/*.h "$folder/scree/"
+cp include/scree/scree.h include/scree/scree_math.h "$folder/scree/"
 mv "$folder/scree_all.c.new" "$folder/scree_all.c"

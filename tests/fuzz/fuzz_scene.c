@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fuzz_scene.c -- fuzz target: bytes are read as a scene file; if they are accepted, the scene runs for a few steps.
+// fuzz_scene.c -- fuzz target: bytes are read as a scene file; if they are accepted, the scene runs for a few steps, and its world is
+// written as a scene file, which is then accepted too.
 //
 // Work is limited, so that a repeat over millions of items does not take the time of thousands of other inputs.
 #include "fuzz/fuzz.h"
@@ -8,6 +9,7 @@
 #include "scene/load.h"
 #include "scene/player.h"
 #include "scene/reader.h"
+#include "scene/write_scene.h"
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -34,6 +36,22 @@ static void check_sentence(const char* sentence, const char* path)
 		FUZZ_CHECK((unsigned char)*c >= ' ' && *c != 127, "a message has a control character");
 }
 
+static void write_again(const Scene* scene, scree_world* world)
+{
+	char sentence[SCENE_SENTENCE];
+	Text text;
+	if (scene_write(scene, world, "written", &text, sentence) == SCREE_OK)
+	{
+		reader_most_work = READER_WORK;
+		Scene* again = scene_parse(text.bytes, text.used, "written", NULL, 0, sentence);
+		FUZZ_CHECK(again, "a written scene is refused: %s", sentence);
+		scene_free(again);
+	}
+	else if (*sentence)
+		check_sentence(sentence, "written");
+	text_free(&text);
+}
+
 static void run(const Scene* scene)
 {
 	ScenePlayer player;
@@ -54,7 +72,10 @@ static void run(const Scene* scene)
 			fuzz_check_status(player_scan(&player), "player_scan");
 	}
 	if (status == SCREE_OK)
+	{
 		fuzz_use_world(player.world, scene->dt, scene->substeps);
+		write_again(scene, player.world);
+	}
 	player_close(&player);
 }
 

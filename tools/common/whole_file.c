@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // whole_file.c -- reads and writes whole files.
+#define _GNU_SOURCE // declares realpath; ignored on other systems
 #include "tools/common/whole_file.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 static bool read_all(FILE* file, FileBytes* to)
 {
@@ -51,4 +55,45 @@ bool whole_file_write(const char* path, const void* bytes, size_t size)
 		return true;
 	errno = written ? errno : error;
 	return false;
+}
+
+// Returns the path of a file without symbolic links, which the caller frees, or null. A file that does not exist yet has its own.
+static char* plain_path(const char* path)
+{
+#ifndef _WIN32
+	char* plain = realpath(path, NULL);
+	if (plain || errno != ENOENT)
+		return plain;
+#endif
+	return strdup(path);
+}
+
+bool whole_file_replace(const char* path, const void* bytes, size_t size)
+{
+	struct stat found;
+	bool there = stat(path, &found) == 0;
+	if (there && !S_ISREG(found.st_mode))
+		return whole_file_write(path, bytes, size);
+	if (there && access(path, W_OK) != 0)
+		return false;
+	char* plain = plain_path(path);
+	char* part = plain ? malloc(strlen(plain) + sizeof ".part") : NULL;
+	bool good = part != NULL;
+	if (good)
+	{
+		strcat(strcpy(part, plain), ".part");
+		good = whole_file_write(part, bytes, size);
+#ifdef _WIN32
+		if (good && there)
+			remove(plain); // rename refuses a name that exists
+#endif
+		good = good && rename(part, plain) == 0;
+		int reason = errno;
+		if (!good)
+			remove(part);
+		errno = reason;
+	}
+	free(part);
+	free(plain);
+	return good;
 }

@@ -17,4 +17,8 @@ bool whole_file_read(const char* path, FileBytes* to);
 // Writes a file. On failure returns false; errno has the reason.
 bool whole_file_write(const char* path, const void* bytes, size_t size);
 
+// Likewise, but leaves the old file as it was on failure: writes a file with the ending .part, which then replaces the other.
+// A device or a pipe is written directly.
+bool whole_file_replace(const char* path, const void* bytes, size_t size);
+
 #endif
