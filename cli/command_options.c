@@ -89,6 +89,9 @@ static const Option save = {"save", 'W', "FILE", "write a snapshot of the last s
                             TEXT(Options, save)};
 static const Option load = {"load", 'O', "FILE", "begin with the state of a snapshot of the same scene",
                             TEXT(Options, load)};
+static const Option write_scene = {"write-scene", 'X', "FILE",
+                                   "write the last state as a scene file: docs/manual/scenes.md",
+                                   TEXT(Options, write_scene)};
 static const Option against = {"against", 'A', "NAME",
                                "device of a second world: the states of both are compared after each step",
                                TEXT(Options, against)};
@@ -128,6 +131,7 @@ static const OptionRow rows[] = {
     {&option_csv, RUN},
     {&load, RUN | VIEW},
     {&save, RUN},
+    {&write_scene, RUN},
     {&record, RUN | VIEW},
     {&hash_interval, RUN | VIEW},
     {&recovery_interval, RUN | BENCH},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_files.h -- the files of scree run that contain the state of the world: snapshots and a recording.
+// run_files.h -- the files of scree run that contain the state of the world: snapshots, a scene and a recording.
 #ifndef RUN_FILES_H
 #define RUN_FILES_H
 #include "cli/common/options.h"
@@ -9,7 +9,7 @@
 // on from those of the snapshot, so that churn goes on. On failure it prints an error message. Returns an exit code.
 int run_files_begin(const Options* options, ScenePlayer* player);
 
-// After the last step: ends the recording, and writes a snapshot, unless the run has failed. code: exit code so far. Returns the
+// After the last step: ends the recording, and writes a snapshot and a scene, unless the run has failed. code: exit code so far. Returns the
 // first exit code that is not EXIT_GOOD.
 int run_files_end(const Options* options, ScenePlayer* player, int code);
 

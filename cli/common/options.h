@@ -37,6 +37,7 @@ typedef struct
 	scree_box view, zoom;                  // m: part of the world in pictures at the start, and at the end
 	int repeats;
 	const char *save, *load; // paths of snapshots; null: none
+	const char* write_scene; // path of a scene file; null: none
 	const char* record;      // path of a recording; null: none
 	int hash_interval;       // steps from one hash of the recording to the next
 	const char* against;     // device of a second world; null: none
