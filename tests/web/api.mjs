@@ -121,6 +121,15 @@ assert.equal(inspect(crate), "Body {\n  body: 2,\n  pose: { position: { x: 0, y:
 	"  collidables: [ { collidable: 2 } ],\n  name: 'crate'\n}");
 assert.equal(inspect(pin), "Joint { joint: 1, bodyA: { body: 1 }, bodyB: { body: 2 } }");
 assert.match(inspect({deep: {deeper: [crate]}}), /\[Body\]/);
+assert.match(inspect([crate]), /pose: \{ position: \{ x: 0, y: 1 \}, rotation: \{ c: 1, s: 0 \} \}/);
+crate.below = floor;
+assert.match(inspect(crate), /below: \{ body: 1 \}/);
+delete crate.below;
+crate.sprite = {body: crate};
+for (const depth of [2, 10, null])
+	assert.match(inspect(crate, {depth}), /^Body \{[^]*sprite: \{ body: \[Body\] \}\n\}$/);
+assert.equal(JSON.parse(JSON.stringify(crate)).sprite, undefined);
+delete crate.sprite;
 assert.match(inspect(shown), /^World \{\n  gravity: \{ x: 0, y: -10 \},\n  bodies: 2,\n/);
 assert.match(inspect(scree), /^Scree \{ version: '\d+\.\d+\.\d+', form: '\w+', memory: \d+ \}$/);
 assert.equal(`${crate}`, "Body 2");

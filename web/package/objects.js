@@ -18,12 +18,21 @@ function json() {
 	return plain({...this});
 }
 
+const printing = new Set(); // objects that are being printed: a program may add a member that leads back to its object
 // Gives a class its name in consoles; that of node prints the result of brief().
 function prints(type, name) {
 	Object.defineProperties(type.prototype, {
 		[Symbol.toStringTag]: {value: name},
 		[Symbol.for("nodejs.util.inspect.custom")]: {value(depth, options, inspect) {
-			return depth < 0 ? `[${name}]` : `${name} ${inspect(this.brief(), options)}`;
+			if (depth < 0 || printing.has(this))
+				return `[${name}]`;
+			printing.add(this);
+			try {
+				return `${name} ${inspect(this.brief(), {...options, depth: depth === null ? null : depth + 1})}`; // lists show positions too
+			}
+			finally {
+				printing.delete(this);
+			}
 		}},
 	});
 }
@@ -70,6 +79,9 @@ class Handle {
 		for (const key in usual)
 			if (JSON.stringify(data[key]) === JSON.stringify(usual[key]))
 				delete data[key];
+		for (const key in added)
+			if (added[key] instanceof Handle)
+				added[key] = plain(added[key]);
 		return {...plain(this), ...data, ...added};
 	}
 }
