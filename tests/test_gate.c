@@ -216,6 +216,22 @@ static void fused_products_are_found(void** state)
 	assert_true(device_now().equal_bits);
 }
 
+// A machine with PoCL alone has no GPU, which is said in a sentence about GPUs, not about names.
+static void no_device_is_a_gpu(void** state)
+{
+	(void)state;
+	NEEDS_SECOND_DEVICE();
+	Device device;
+	BackendOptions options = {.gpu = true};
+	if (device_choose(&options, &device) == SCREE_OK)
+		assert_true(device.type & CL_DEVICE_TYPE_GPU);
+	else
+		assert_string_equal(scree_error(), "This machine has no OpenCL device that is a GPU.");
+	options.device = "no such device";
+	assert_int_equal(device_choose(&options, &device), SCREE_ERROR_NO_DEVICE);
+	assert_non_null(strstr(scree_error(), "\"no such device\" in its name"));
+}
+
 // The small worlds find a difference that the arithmetic test has not found.
 static void worlds_find_differences(void** state)
 {
@@ -352,17 +368,10 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, begin, end)
 	const struct CMUnitTest tests[] = {
-	    TEST(results_are_compared),
-	    TEST(simplified_zeros_pass),
-	    TEST(first_world_tests),
-	    TEST(flushing_passes),
-	    TEST(fused_products_are_found),
-	    TEST(worlds_find_differences),
-	    TEST(wrong_quotients_are_replaced),
-	    TEST(verdicts_are_stored),
-	    TEST(commands_print_verdicts),
-	    TEST(bad_names_are_refused),
-	    TEST(test_is_quick),
+	    TEST(results_are_compared),    TEST(simplified_zeros_pass),        TEST(first_world_tests),
+	    TEST(flushing_passes),         TEST(fused_products_are_found),     TEST(no_device_is_a_gpu),
+	    TEST(worlds_find_differences), TEST(wrong_quotients_are_replaced), TEST(verdicts_are_stored),
+	    TEST(commands_print_verdicts), TEST(bad_names_are_refused),        TEST(test_is_quick),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

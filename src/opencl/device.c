@@ -277,6 +277,8 @@ scree_status device_choose(const BackendOptions* options, Device* device)
 			best_score = score;
 		}
 	}
+	if (!best && options->gpu && !part[0])
+		return fail(SCREE_ERROR_NO_DEVICE, "This machine has no OpenCL device that is a GPU.");
 	if (!best)
 		return fail(SCREE_ERROR_NO_DEVICE, "No OpenCL device of this machine has \"%s\" in its name.", part);
 	if (!best->usable || (!best->about.equal_bits && !options->allow_unequal_bits))
