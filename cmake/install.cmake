@@ -31,6 +31,7 @@ if(TARGET scree_cli)
 	endif()
 endif()
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md") # without the pictures, 4.8 MB
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/scree)

@@ -40,6 +40,15 @@ while read -r link; do
 	[[ $link = "$address"* ]] || complain "README.md: $link does not begin with $address, the address in web/start.json"
 done < <(grep -oE 'https?://[^) ]*' README.md)
 
+# each program or part of one in docs/first_game.md is in a file of examples/first_game/, unchanged
+parts=$(cat examples/first_game/*.[ch])
+fragments=0
+while IFS= read -r -d $'\f' fragment; do
+	[[ $parts == *"${fragment%$'\n'}"* ]] || complain "docs/first_game.md: not in examples/first_game/: $fragment"
+	fragments=$((fragments + 1))
+done < <(awk '/^```c$/ { inside = 1; next } /^```$/ && inside { inside = 0; printf "\f"; next } inside' docs/first_game.md)
+[ "$fragments" -gt 10 ] || complain "docs/first_game.md: only $fragments parts of programs were found"
+
 # exists PATH FOLDER: succeeds if PATH exists relative to the root, to src/ or to FOLDER.
 exists()
 {

@@ -22,6 +22,10 @@ for shared in OFF ON; do
 	LD_LIBRARY_PATH=$libdir "$build/hello" | tee "$scratch/cmake_$shared.txt"
 	LD_LIBRARY_PATH=$libdir "$build/car" | tee "$scratch/car_$shared.txt"
 	LD_LIBRARY_PATH=$libdir "$build/time" | tee "$scratch/time_$shared.txt"
+	if [ -x "$build/step8_gpu" ]; then # SDL2 is installed
+		SDL_VIDEODRIVER=dummy LD_LIBRARY_PATH=$libdir "$build/step8_gpu" --frames 60 | tee "$scratch/game_$shared.txt"
+		cmp "$scratch/game_OFF.txt" "$scratch/game_$shared.txt"
+	fi
 	LD_LIBRARY_PATH=$libdir "$build/rollback" --demo --threads 1 --speed 8 --frames 240 --delay 60 --log 240
 	if [ -f "$libdir/libscree_scene.a" ]; then
 		LD_LIBRARY_PATH=$libdir "$build/scene" "$SCREE_SOURCE/scenes/wrecking-ball.json" "$scratch/scene_$shared.json" | tee "$scratch/scene_$shared.txt"
@@ -82,8 +86,8 @@ if [ -x "$prefix/bin/scree" ]; then
 	"$prefix/bin/scree" scenes --names | grep -qx pile
 fi
 
-# licence, manual page and completion are installed, and the address in scree.pc
-for file in share/doc/scree/LICENSE share/doc/scree/README.md share/bash-completion/completions/scree share/man/man1/scree.1; do
+# licence, examples, manual page and completion are installed, and the address in scree.pc
+for file in share/doc/scree/LICENSE share/doc/scree/README.md share/doc/scree/examples/first_game/window.h share/bash-completion/completions/scree share/man/man1/scree.1; do
 	[ -s "$prefix/$file" ] || { echo "$file is not installed"; exit 1; }
 done
 pkg-config --print-variables scree >/dev/null

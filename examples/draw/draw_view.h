@@ -33,7 +33,7 @@ static inline void view_polygon(const scree_vec* vertices, int count, float radi
 {
 	const DrawView* view = (const DrawView*)context;
 	const float turn = 6.2831853f;
-	scree_vec points[DRAW_OUTLINE];
+	scree_vec points[DRAW_OUTLINE] = {{0.0f, 0.0f}};
 	int total = 0, edges = radius <= 0.0f ? 0 : count == 1 ? 4 * DRAW_ARC : DRAW_ARC;
 	for (int k = 0; k < count; ++k)
 	{
@@ -88,12 +88,19 @@ static inline void view_text(scree_vec at, const char* text, uint32_t color, voi
 		view->text(view_pixels(view, at), text, color, view->target);
 }
 
+// Returns the visible part of a world, m.
+static inline scree_box view_box(const DrawView* view)
+{
+	float x = 0.5f * view->width / view->scale, y = 0.5f * view->height / view->scale;
+	scree_box box = {{view->center.x - x, view->center.y - y}, {view->center.x + x, view->center.y + y}};
+	return box;
+}
+
 // Draws the visible part of a world. flags: bits of SCREE_DRAW_*.
 static inline scree_status view_draw(scree_world* world, DrawView* view, uint32_t flags)
 {
 	scree_draw_def def = scree_draw_def_default();
-	float x = 0.5f * view->width / view->scale, y = 0.5f * view->height / view->scale;
-	scree_box box = {{view->center.x - x, view->center.y - y}, {view->center.x + x, view->center.y + y}};
+	scree_box box = view_box(view);
 	def.flags = flags;
 	def.context = view;
 	def.polygon = view_polygon;
