@@ -133,7 +133,7 @@ bool items_count(Reader* reader, const Location* location, const Loops* loops, c
 	return good;
 }
 
-bool items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, void* context), void* context)
+bool block_items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, void* context), void* context)
 {
 	Run run = {.each = each, .context = context};
 	items_open(&run.items, reader, 0);

@@ -23,7 +23,7 @@ bool items_count(Reader* reader, const Location* location, const Loops* loops, c
                  int64_t* count);
 
 // Calls each() for every item. Stops and returns false if each() returns false, or if a range of a loop is invalid.
-bool items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, void* context), void* context);
+bool block_items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, void* context), void* context);
 
 // Compute one number (items_value) and two numbers (items_vec) of the current item. They fail if a number is out of its
 // range.

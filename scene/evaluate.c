@@ -82,7 +82,7 @@ bool evaluate_block(Reader* reader, const Block* block, bool (*full)(void* conte
 	bool good = (batch.bodies || !block->bodies) && (batch.parts || !parts) && (batch.masses || !block->massed);
 	if (!good)
 		reader_fail(reader, NULL, "out of memory");
-	good = good && items_run(reader, &block->loops, add_item, &batch) && flush(&batch);
+	good = good && block_items_run(reader, &block->loops, add_item, &batch) && flush(&batch);
 	free(batch.bodies);
 	free(batch.masses);
 	free(batch.parts);

@@ -154,7 +154,7 @@ bool evaluate_joints(Reader* reader, const Scene* scene, const JointBlock* block
 	bool good = batch.defs && batch.ends;
 	if (!good)
 		reader_fail(reader, NULL, "out of memory");
-	good = good && items_run(reader, &block->loops, add_joint, &batch) && flush(&batch);
+	good = good && block_items_run(reader, &block->loops, add_joint, &batch) && flush(&batch);
 	free(batch.defs);
 	free(batch.ends);
 	return good;

@@ -55,7 +55,7 @@ static bool read_entry(Reader* reader, const Location* location, const json_t* v
 			return false;
 	}
 	return items_count(reader, location, loops, "scene", SCENE_MAX_BODIES - e->scene->exclusion_count, &count) &&
-	       items_run(reader, loops, add_pair, e);
+	       block_items_run(reader, loops, add_pair, e);
 }
 
 bool exclusions_read(Reader* reader, const json_t* root, Scene* scene)

@@ -107,7 +107,7 @@ static bool read_list(Reader* reader, const json_t* root, Scene* scene, bool fie
 		Entry e = {.scene = scene, .reader = reader, .location = at};
 		good = format_check(reader, at, value, fields ? OBJECT_field : OBJECT_blast) &&
 		       loops_read(reader, at, value, &loops) && (fields ? read_field(&e, value) : read_blast(&e, value)) &&
-		       items_run(reader, &loops, fields ? add_field : add_blast, &e);
+		       block_items_run(reader, &loops, fields ? add_field : add_blast, &e);
 		reader->scope.count = names;
 		loops_free(&loops);
 		number_free(&e.body.index);

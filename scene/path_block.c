@@ -47,7 +47,7 @@ static bool read_row(Reader* reader, const Location* location, const json_t* val
 	bool good = format_check(reader, location, value, OBJECT_row) && loops_read(reader, location, value, &loops) &&
 	            reader_pair(reader, location, value, "position", format_range(OBJECT_row, "position"), row.position) &&
 	            items_count(reader, location, &loops, "path", room, &count) &&
-	            items_run(reader, &loops, add_item, &row);
+	            block_items_run(reader, &loops, add_item, &row);
 	reader->scope.count = names;
 	loops_free(&loops);
 	number_free(&row.position[0]);

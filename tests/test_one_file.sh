@@ -56,9 +56,9 @@ check()
 	[ "$found" = "$expected" ] || complain "$compiler $*: the hash is $found, not $expected"
 	echo "$compiler $*: $(size scree_all.o | awk 'NR == 2 { print $1 }') bytes of code, same hash"
 	# the reader of scenes is not a part of the library
-	[ -e "$SCREE_BUILD/libscree_scene.a" ] || return 0
+	[ -e "$SCREE_BUILD/libscree_scene_internals.a" ] || return 0
 	$compiler -std=c17 -D_GNU_SOURCE= -DSCREE_SCENE_DIR='""' "-I$SCREE_SOURCE/include" "-I$SCREE_SOURCE/src" "-I$SCREE_SOURCE" \
-		"$SCREE_SOURCE/tests/tools/golden.c" scree_all.o "$SCREE_BUILD/libscree_scene.a" "$SCREE_BUILD/libscree_common.a" \
+		"$SCREE_SOURCE/tests/tools/golden.c" scree_all.o "$SCREE_BUILD/libscree_scene_internals.a" "$SCREE_BUILD/libscree_common.a" \
 		"$SCREE_BUILD/libscree_internals.a" -ljansson -lcairo -lm -lpthread -ldl -o golden
 	all=$(($(grep -vc '^#' "$SCREE_SOURCE/tests/golden.txt") / 2))
 	for number in $lanes; do

@@ -10,7 +10,10 @@
 
 #define SCRATCH "test_scene_keys_scratch.json"
 
-#define BODY(more)   HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"name\": \"one\", \"attribute\": \"a\"" more "}]"
+#define BODY(more) HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"name\": \"one\", \"attribute\": \"a\"" more "}]"
+#define TWO              \
+	HEAD GOOD_ATTRIBUTES \
+	    "\"bodies\": [{\"name\": \"one\", \"attribute\": \"a\"}, {\"name\": \"two\", \"attribute\": \"a\"}]"
 #define JOINT(type)  "\"type\": \"" type "\";\"a\": null;\"b\": {\"body\": \"one\"}"
 #define GEAR(more)   BODY("") ", \"joints\": [{\"type\": \"gear\", \"a\": null, \"b\": {\"body\": \"one\"}, " more "}]}"
 #define RAIL         "\"paths\": {\"p\": {\"points\": [[0, 0], [1, 0]]}}"
@@ -37,6 +40,7 @@ static const Place places[] = {
     {OBJECT_body, NULL, "bodies[0].", HEAD GOOD_ATTRIBUTES "\"bodies\": [{%s}]}", "\"attribute\": \"a\""},
     {OBJECT_part, NULL, "bodies[0].collidables[0].", HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"collidables\": [{%s}]}]}",
      "\"attribute\": \"a\""},
+    {OBJECT_mass, NULL, "bodies[0].mass.", BODY(", \"mass\": {%s}") "}", "\"mass\": 1"},
     {OBJECT_churn, NULL, "bodies[0].churn.", BODY(", \"churn\": {%s}") "}", "\"position\": [0, 0];\"moved\": 1"},
     {OBJECT_collidable, NULL, "collidables[0].", SCENE("\"collidables\": [{%s}]"), "\"attribute\": \"a\""},
     {OBJECT_loop, NULL, "bodies[0].repeat.", BODY(", \"repeat\": {%s}") "}", "\"index\": \"i\";\"to\": 3"},
@@ -55,6 +59,8 @@ static const Place places[] = {
     {OBJECT_path, NULL, "paths.p.", SCENE("\"paths\": {\"p\": {%s}}"), "\"points\": [[0, 0], [1, 0], [1, 1]]"},
     {OBJECT_row, NULL, "paths.p.points[0].", SCENE("\"paths\": {\"p\": {\"points\": [{%s}, [1, 0]]}}"),
      "\"position\": [0, 0]"},
+    {OBJECT_exclusion, NULL, "exclusions[0].", TWO ", \"exclusions\": [{%s}]}",
+     "\"a\": {\"body\": \"one\"};\"b\": {\"body\": \"two\"}"},
     {OBJECT_field, NULL, "fields[0].", SCENE("\"fields\": [{%s}]"), "\"type\": \"drag\""},
     {OBJECT_blast, NULL, "blasts[0].", SCENE("\"blasts\": [{%s}]"), "\"step\": 1"},
     {OBJECT_fan, NULL, "rays[0].", SCENE("\"rays\": [{%s}]"), "\"count\": 1;\"length\": 1"},
@@ -155,6 +161,16 @@ static void test_bad_values(void** state)
 			refuse(key, "true", "", "true must be a number");
 		if (key->type == TYPE_PAIR)
 			refuse(key, "[1]", "", "[1] must be a list of 2 numbers");
+		if (key->type == TYPE_ROTATION)
+		{
+			refuse(key, "[1]", "", "[1] must be a list of 2 numbers");
+			refuse(key, "[0.9, 0.9]", "", "must be the cosine and sine of an angle");
+		}
+		if (key->type == TYPE_USER)
+		{
+			refuse(key, "-1", "", "-1 must be a whole number from 0");
+			refuse(key, "\"0x\"", "", "must be a whole number from 0");
+		}
 		if (key->type == TYPE_BOOLEAN)
 			refuse(key, "3", "", "3 must be true or false");
 		if (key->type == TYPE_BITS)
@@ -268,7 +284,7 @@ static void test_good_values(void** state)
 		if (key->special)
 			continue;
 		for (const FormatKey* k = format_keys(key->object); k < key; ++k)
-			assert_true(k->special || k->offset != key->offset);
+			assert_true(k->special || k->offset != key->offset || key->type == TYPE_ROTATION); // beside angle
 		switch (key->type)
 		{
 		case TYPE_NUMBER:
@@ -278,6 +294,14 @@ static void test_good_values(void** state)
 		case TYPE_PAIR:
 			read_one(key, json_pack("[ff]", low, number), made);
 			assert_true(((const float*)member)[0] == (float)low && ((const float*)member)[1] == (float)number);
+			break;
+		case TYPE_ROTATION:
+			read_one(key, json_pack("[ff]", 0.6, -0.8), made);
+			assert_true(((const scree_rot*)member)->c == 0.6f && ((const scree_rot*)member)->s == -0.8f);
+			break;
+		case TYPE_USER:
+			read_one(key, json_string("0xfedcba9876543210"), made);
+			assert_true(*(const uint64_t*)member == 0xfedcba9876543210u);
 			break;
 		case TYPE_BOOLEAN:
 			for (int k = 0; k < 2; ++k)
