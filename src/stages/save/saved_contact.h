@@ -201,7 +201,9 @@ WIDE_KERNEL(load_contact)
 {
 	const GLOBAL int* row = (const GLOBAL int*)saved_row(p, contacts, i);
 	Int first = load_int(row, 0), traits = load_int(row + saved_by(p, contacts), 0);
-	Int alike = (traits & (int)(SAVED_FREE | SAVED_ODD)) == 0, placed = alike & ((traits & (int)SAVED_PLACED) != 0);
+	// a save of a GPU, whose work-items pack one contact each, does not have the rows that pad the last lanes
+	Int alike = (indices(i) < p->step.saved.contacts.items) & ((traits & (int)(SAVED_FREE | SAVED_ODD)) == 0);
+	Int placed = alike & ((traits & (int)SAVED_PLACED) != 0);
 	if (SMALL_CODE || lane_bits(alike) == 0)
 		return;
 	Int zero = first & 0, empty = alike & (placed == 0), place = first;
