@@ -147,6 +147,29 @@ void format_store(void* item, size_t offset, FormatStore store, double value)
 	}
 }
 
+double format_stored(const void* item, size_t offset, FormatStore store)
+{
+	const void* member = (const char*)item + offset;
+	switch (store)
+	{
+	case STORE_FLOAT:
+		return (double)*(const float*)member;
+	case STORE_ROTATION:
+		return (double)scree_rot_get_angle(*(const scree_rot*)member);
+	case STORE_INT:
+		return *(const int*)member;
+	case STORE_INT64:
+		return (double)*(const int64_t*)member;
+	case STORE_UINT32:
+		return *(const uint32_t*)member;
+	case STORE_UINT64:
+		return (double)*(const uint64_t*)member;
+	case STORE_NONE:
+		break;
+	}
+	return (double)NAN;
+}
+
 Range format_range(FormatObject object, const char* name)
 {
 	const FormatKey* key = format_keys(object);

@@ -97,4 +97,7 @@ void format_free(FormatNumbers* numbers);
 // Writes a number into a member of a struct, in the C type of the member.
 void format_store(void* item, size_t offset, FormatStore store, double value);
 
+// Returns the number in a member of a struct, NAN if the member is not a number. A rotation is an angle.
+double format_stored(const void* item, size_t offset, FormatStore store);
+
 #endif

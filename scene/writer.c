@@ -77,25 +77,10 @@ static bool is_default(const FormatKey* key, const char* member, const char* bas
 	return (number && *(const float*)member != *(const float*)member) || memcmp(member, base, member_size(key)) == 0;
 }
 
-static double whole_of(const FormatKey* key, const char* member)
-{
-	switch (key->store)
-	{
-	case STORE_INT:
-		return *(const int*)member;
-	case STORE_INT64:
-		return (double)*(const int64_t*)member;
-	case STORE_UINT32:
-		return *(const uint32_t*)member;
-	default:
-		return (double)*(const uint64_t*)member;
-	}
-}
-
 static bool write_number(Writer* writer, const Location* location, const FormatKey* key, const char* member)
 {
 	bool real = key->store == STORE_FLOAT;
-	double value = real ? (double)*(const float*)member : whole_of(key, member);
+	double value = format_stored(member, 0, key->store);
 	if (!check(writer, KEY(location, key->name), value, key->range))
 		return false;
 	text_key(&writer->text, key->name);

@@ -132,34 +132,13 @@ static void print_names(const char* const* names, uint32_t bits, const char* quo
 	}
 }
 
-static double stored(const FormatKey* key, const char* member)
-{
-	switch (key->store)
-	{
-	case STORE_FLOAT:
-		return (double)*(const float*)member;
-	case STORE_ROTATION:
-		return (double)scree_rot_get_angle(*(const scree_rot*)member);
-	case STORE_INT:
-		return *(const int*)member;
-	case STORE_INT64:
-		return (double)*(const int64_t*)member;
-	case STORE_UINT32:
-		return *(const uint32_t*)member;
-	case STORE_UINT64:
-		return (double)*(const uint64_t*)member;
-	case STORE_NONE:
-		break;
-	}
-	return NAN;
-}
 // Prints the text `before`, then the default value of a key. Prints nothing if the key has no default. An unlimited
 // number or a set of all bits is a word in a table, and nothing in JSON. json: true for JSON, false for a table.
 static void print_default(const FormatKey* key, const char* made, const char* before, bool json)
 {
 	const char* member = made + key->offset;
 	const char* quote = json ? "\"" : "";
-	double value = key->special ? NAN : stored(key, member);
+	double value = key->special ? NAN : format_stored(member, 0, key->store);
 	uint64_t bits = key->type == TYPE_BITS ? *(const uint64_t*)member : 0;
 	if (key->special || key->need == NEED_MUST || key->type == TYPE_ROTATION ||
 	    (key->store == STORE_FLOAT && isnan(value)))
