@@ -93,6 +93,31 @@ static void contacts(void** state)
 	scree_world_destroy(world);
 }
 
+// A collidable without a body is in no list.
+static void free_collidable(void** state)
+{
+	(void)state;
+	scree_world* world = open_pile("cpu", true);
+	scree_body_def body_def = scree_body_def_default();
+	scree_collidable_def def = scree_collidable_def_default();
+	scree_attribute_def shape = scree_attribute_def_default();
+	OK(scree_shape_make_circle((scree_vec){0, 0}, 0.5f, &shape.shape));
+	OK(scree_attribute_create(world, &shape, &def.attribute));
+	body_def.attribute = def.attribute;
+	OK(scree_body_create(world, &body_def, &def.body));
+	OK(scree_collidable_create(world, &def, NULL)); // the second one of its body, so that the snapshot has both columns
+	def.body = SCREE_NULL_BODY;
+	OK(scree_collidable_create(world, &def, NULL));
+	run_steps(world, 1);
+	const HostileValue values[] = {
+	    {"collidable.next", -1, 0, 4, INT_MAX, "collidable"},
+	    {"collidable.next", -1, 0, 4, 0, "collidable"},
+	    {"collidable.previous", -1, 0, 4, 0, "collidable"},
+	};
+	refuse_each(world, values, sizeof values / sizeof *values);
+	scree_world_destroy(world);
+}
+
 static void counts(void** state)
 {
 	(void)state;
@@ -184,6 +209,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test_teardown(contacts, memory_is_released),
+	    cmocka_unit_test_teardown(free_collidable, memory_is_released),
 	    cmocka_unit_test_teardown(counts, memory_is_released),
 	    cmocka_unit_test_teardown(heads, memory_is_released),
 	    cmocka_unit_test_teardown(colliding_names, memory_is_released),

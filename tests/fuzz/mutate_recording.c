@@ -35,8 +35,7 @@ static void read_records(Records* r, ByteReader reader)
 	while (r->count < MOST_RECORDS && reader.at < reader.end)
 	{
 		LogRecord record;
-		log_again(&reader, &record);
-		uint8_t* copy = reader.at ? content(r, record.size) : NULL;
+		uint8_t* copy = log_again(&reader, &record) ? content(r, record.size) : NULL;
 		if (!copy)
 			return;
 		memcpy(copy, record.bytes, record.size);

@@ -99,11 +99,9 @@ static bool read_head(ByteReader* reader, LogRecord* record)
 {
 	record->number = number_read(reader);
 	uint64_t size = number_read(reader);
-	if (!reader->at || size > (size_t)(reader->end - reader->at))
-		return false;
-	record->size = (size_t)size;
-	record->bytes = bytes_read(reader, record->size);
-	return true;
+	record->bytes = size <= SIZE_MAX ? bytes_read(reader, (size_t)size) : NULL;
+	record->size = record->bytes ? (size_t)size : 0;
+	return record->bytes != NULL;
 }
 
 bool log_next(ByteReader* reader, uint64_t* chain, LogRecord* record)
@@ -124,8 +122,7 @@ bool log_next(ByteReader* reader, uint64_t* chain, LogRecord* record)
 	return true;
 }
 
-void log_again(ByteReader* reader, LogRecord* record)
+bool log_again(ByteReader* reader, LogRecord* record)
 {
-	read_head(reader, record);
-	bytes_read(reader, DIGEST_BYTES);
+	return read_head(reader, record) && bytes_read(reader, DIGEST_BYTES) != NULL;
 }

@@ -38,8 +38,8 @@ scree_status log_open(const char* function, ByteReader* reader, size_t size, uin
                       int* version_length);
 // Reads the next record. Returns false and stays in place if the rest contains no whole record with the right digest.
 bool log_next(ByteReader* reader, uint64_t* chain, LogRecord* record);
-// Reads the next record of which the digest is already checked.
-void log_again(ByteReader* reader, LogRecord* record);
+// Reads the next record without its digest, which log_next has checked before. Returns false if the rest contains no whole record.
+bool log_again(ByteReader* reader, LogRecord* record);
 
 // Numbers of seven bits per byte, the lowest first; the highest bit is set in all bytes but the last.
 void number_write(ChunkWriter* writer, uint64_t number);

@@ -78,6 +78,7 @@ static scree_status check_each_collidable(const ChunkIndex* index, const scree_w
 			continue;
 		CHECK_ITEM(alive(&world->attribute_slots, host->attribute), "collidable", k);
 		CHECK_ITEM(host->body == -1 || is_body(world, host->body, false), "collidable", k);
+		CHECK_ITEM(host->body >= 0 || (host->next == -1 && host->previous == -1), "collidable", k);
 		++users[host->attribute];
 		on_bodies += host->body > 0;
 		sensors += host->sensor != 0;
