@@ -108,7 +108,7 @@ typedef enum SCREE_CHECKED_STATUS scree_status
 // until the next failing call on this thread.
 SCREE_API const char* scree_error(void);
 
-// Returns the name of a status ("ok", "invalid", ...), a constant string; never null.
+// Returns the name of a status ("ok", "invalid", ...), a constant string; "unknown" for any other number.
 SCREE_API const char* scree_status_name(scree_status status);
 
 // Returns the version of the library, major, minor and patch: "0.2.0", a constant string.
@@ -193,10 +193,11 @@ typedef struct scree_box
 } scree_box;
 
 // Returns the rotation by an angle in radians. The sine and cosine are Scree's own polynomials, which give the same
-// bits on every machine.
+// bits on every machine. They are NaN for an infinite angle.
 SCREE_API scree_rot scree_rot_make(float radians);
 
-// Returns the angle of a rotation, in [-pi, pi] radians. The arc tangent is Scree's own polynomial.
+// Returns the angle of a rotation, in [-pi, pi] radians; 0 if cosine and sine are 0. The arc tangent is Scree's own
+// polynomial.
 SCREE_API float scree_rot_get_angle(scree_rot rotation);
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -210,7 +211,8 @@ typedef enum scree_sharing // transfer of render rows to an OpenGL buffer, the s
 	SCREE_SHARING_OPENGL, // cl_khr_gl_sharing: scree_world_share_opengl
 } scree_sharing;
 
-// Returns "copied", "shared through external memory" or "shared with OpenGL", a constant string.
+// Returns "copied", "shared through external memory" or "shared with OpenGL", a constant string; "unknown" for any other
+// number.
 SCREE_API const char* scree_sharing_name(scree_sharing sharing);
 
 typedef struct scree_device
@@ -219,13 +221,13 @@ typedef struct scree_device
 	char driver[128];  // platform and driver version; for the CPU: the widest lanes that it supports
 	bool equal_bits;   // false if Scree cannot use the device, or if a test found results that differ from the CPU's;
 	                   // true for a device that is not tested yet (`tested`)
-	char reason[192];  // if equal_bits is false: the cause and the remedy; otherwise empty
+	char reason[192];  // if equal_bits is false: the cause, and what helps; otherwise empty
 	int compute_units; // CPU threads or OpenCL compute units
 	uint64_t memory;   // bytes
 	scree_sharing sharing; // fastest kind of sharing that the driver supports
 	uint8_t uuid[16];      // device UUID as in OpenGL and Vulkan; zero if the driver does not report it
-	bool tested;           // true: a verdict on the device is stored (scree_device_test), or it is the CPU
-	bool own_rounding;     // if tested: quotients and roots are rounded by integers, as the device does so wrongly
+	bool tested;           // true: a verdict of scree_device_test on the device is stored, or it is the CPU
+	bool own_rounding;     // if tested: integer code rounds quotients and roots, because the device rounds them wrongly
 	bool keeps_denormals; // if tested: the device keeps numbers below 1.2e-38; others treat them as 0, which is allowed
 	bool keeps_zeros; // if tested: operations with a constant 0 have the correct sign; others may not, which is allowed
 	int tested_results; // number of float results that were compared with those of the CPU
@@ -233,11 +235,12 @@ typedef struct scree_device
 } scree_device;
 
 // Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null if capacity is
-// 0) and sets count to the total number. Without OpenCL, scree_opencl_hint returns the remedy.
+// 0) and sets count to the total number. If no OpenCL device is among them, scree_opencl_hint says what to install.
 static inline scree_status scree_devices_get(scree_device* devices, int capacity, int* count);
 
-// Tests now whether a device has the bits of the CPU, and stores the verdict, also if one is stored already. device:
-// "cpu", "opencl" or "opencl:NAME", as in scree_world_def. Fails with SCREE_ERROR_NO_DEVICE and the first difference.
+// Tests whether the results of a device have the bits of those of the CPU, and stores the verdict: equal bits, or the
+// first difference. A verdict that is stored already is replaced. device: "cpu", "opencl" or "opencl:NAME", as in
+// scree_world_def. If results differ, fails with SCREE_ERROR_NO_DEVICE and the first difference.
 //
 // scree_world_create and scree_world_move test a device without a verdict, so that programs need not call this
 // function. The test takes less than a second, but on a GPU the first build of the stages takes minutes. Verdicts are
@@ -245,7 +248,7 @@ static inline scree_status scree_devices_get(scree_device* devices, int capacity
 SCREE_API scree_status scree_device_test(const char* device);
 
 // Returns one sentence that names what to install to get an OpenCL device, or an empty string if there is one. The
-// library owns the string.
+// library owns the string, which is valid until the next call.
 SCREE_API const char* scree_opencl_hint(void);
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -289,14 +292,15 @@ typedef struct scree_world_def
 {
 	uint32_t size;           // set by scree_world_def_default
 	scree_vec gravity;       // m/s^2, default (0, -10)
-	const char* device;      // "auto" (default), "cpu", "opencl", "opencl:NAME" (NAME is any part of a device's name)
+	const char* device;      // "auto" (default), "cpu", "opencl" or "opencl:NAME"; NAME: a part of the name of a
+	                         // device or of its driver, in small or capital letters
 	int threads;             // CPU worker threads, 0 to 64; 0 (default): one per core
-	int lanes;               // CPU SIMD lanes: 1, 4, 8 or 16; 0 (default): the widest that the processor supports
+	int lanes;               // CPU SIMD lanes: 1, 4, 8 or 16, if processor and build have them; 0 (default): the widest
 	bool allow_unequal_bits; // true: a device whose results are not bit-identical is accepted; default false
 	bool timings;            // true: each stage is measured (scree_world_get_timings), which slows down a GPU slightly;
 	                         // default false
-	// Contact stiffness, Hz, 1e-3 to 1e6, default 40. The effective frequency is at most 1/6 of the substep rate. For
-	// deep contacts the frequency is 1.03 times the effective one, but at most 2/3 of the step rate.
+	// Stiffness of contacts as a frequency, Hz, 1e-3 to 1e6, default 40; limited to 1/6 of the substep rate. Deep contacts
+	// have 1.03 times the limited frequency, but at most 2/3 of the step rate.
 	float contact_hertz;
 	float contact_damping_ratio; // 0 to 1e6, default 10
 	float contact_push_speed;    // maximum speed at which overlapping pairs are pushed apart, m/s,
@@ -324,8 +328,9 @@ typedef struct scree_world_def
 	// SCREE_ERROR_DEVICE_FAILED. 0 (default): 10 s for a GPU; no limit for a CPU, which is never lost and may compile
 	// kernels at their first launch for minutes. INFINITY: no limit. See docs/manual/faults.md.
 	float device_timeout;
-	// Steps from one kept state to the next, at least 0. A world on an OpenCL device that fails goes on on the CPU from the
-	// last kept state (see "Devices that fail"). 0 (default): no state is kept. Has no effect while a world is on the CPU.
+	// Steps from one kept state (checkpoint) to the next, at least 0. If the OpenCL device of a world fails, the world
+	// continues on the CPU from the last kept state (see "Devices that fail"). 0 (default): no state is kept. Has no effect
+	// while a world is on the CPU.
 	int recovery_interval;
 	// Pool of threads that does the work of the world; then the library starts no thread for it, `threads` is the maximum
 	// number of threads that work at the same time, the caller included, and device "auto" is "cpu". The struct is copied;
@@ -356,8 +361,8 @@ SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_worl
 // Destroys a world and everything in it. world may be null.
 SCREE_API void scree_world_destroy(scree_world* world);
 
-// Returns the definition of a world as it is now: gravity and tuning may have changed since its creation. The pointers device,
-// opengl and tasks are those of scree_world_def_default.
+// Returns the definition of a world as it is now: gravity and tuning may have changed since its creation. The pointers
+// device, opengl and tasks have their default values.
 static inline scree_status scree_world_get_def(const scree_world* world, scree_world_def* def);
 
 // Advances a world by dt seconds (1e-9 to 1, or 0) in 1 to 64 substeps. Typical values are 1/60 and 4. Method: Erin
@@ -376,15 +381,15 @@ static inline scree_status scree_world_get_def(const scree_world* world, scree_w
 // place and the number of collidables there. If memory for the contacts runs out, the step fails with
 // SCREE_ERROR_OUT_OF_MEMORY. In both cases nothing has changed; move bodies apart or destroy some, and step again.
 //
-// A later failure (the device fails, or has no memory left for the solver) cannot be undone. The error is sticky: from
-// then on every call that uses the world returns the same status, and the world can only be destroyed, unless
-// scree_world_def.recovery_interval is set (see "Devices that fail").
+// A later failure (the device fails, or has no memory left for the solver) cannot be undone and breaks the world: every
+// later call that uses it returns the same status, and it can only be destroyed, unless scree_world_def.recovery_interval
+// is set (see "Devices that fail").
 SCREE_API scree_status scree_world_step(scree_world* world, float dt, int substeps);
 
 // Sets the gravity, m/s^2; its components must be finite.
 SCREE_API scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity);
-// Returns scree_world_def.length_unit, 1 for metres; 0 if world is null. scree_world_restore and scree_world_load bring the unit of
-// their state.
+// Returns scree_world_def.length_unit, 1 for metres; 0 if world is null. After scree_world_restore and scree_world_load
+// it is the unit of the restored state.
 SCREE_API float scree_world_get_length_unit(const scree_world* world);
 
 typedef struct scree_constant // a constant of the library that contains a length
@@ -421,8 +426,8 @@ static inline scree_status scree_world_get_tuning(const scree_world* world, scre
 // scree_world_get_tuning, change the member, and pass the struct.
 SCREE_API scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning);
 
-// Returns the name of the device on which the world currently runs, as in scree_device.name. The world owns the string,
-// which changes when the world moves.
+// Returns the name of the device on which the world currently runs, as in scree_device.name; an empty string if world is
+// null. The world owns the string, which is valid until the world moves or is destroyed.
 SCREE_API const char* scree_world_get_device(const scree_world* world);
 
 // Moves a world to another device between two steps. With "cpu", "opencl" or "opencl:NAME" the world stays on that
@@ -430,25 +435,25 @@ SCREE_API const char* scree_world_get_device(const scree_world* world);
 // contacts, impulses and pending changes are kept. Threads, lanes, allow_unequal_bits and timings are those of the
 // world's definition.
 //
-// A move opens the device (about 0.3 s for a GPU) and transfers about 1 kB per body; both devices hold the world
+// A move opens the device (about 0.2 s for a GPU) and transfers about 1 kB per body; both devices hold the world
 // meanwhile. On failure (SCREE_ERROR_NO_DEVICE, SCREE_ERROR_OUT_OF_MEMORY, ...) the world stays unchanged on its
-// device. If the old device fails while the world is copied from it, the error (SCREE_ERROR_DEVICE_FAILED) is sticky,
-// as after scree_world_step.
+// device. If the old device fails while the world is copied from it, the call fails with SCREE_ERROR_DEVICE_FAILED and
+// breaks the world, as in scree_world_step.
 SCREE_API scree_status scree_world_move(scree_world* world, const char* device);
 
-// Devices that fail (docs/manual/faults.md). If scree_world_def.recovery_interval is N, above 0, the state of a world on an OpenCL
-// device is kept in host memory every N steps, and so are the arguments of all calls since. A call during which the device
-// fails brings the world to the CPU: into the kept state, then through the calls since. It then does its work there and
-// returns its usual status. It logs one warning, and makes no further call to the device. The world goes on with the same
-// bits. Handles, saves, recordings and lists that calls returned stay as they were; memory is no longer shared, and the device
-// is "cpu", as after scree_world_move, which may move the world to a device again. If there is no memory for this, the call
-// fails with SCREE_ERROR_DEVICE_FAILED, and the next call tries it again. A device with memory too small for a step counts as
-// failed. A state is also kept when the calls since need more memory than the state, and one that cannot be kept for lack of
-// memory is logged; no call fails for that.
+// Devices that fail (docs/manual/faults.md). If scree_world_def.recovery_interval is N, above 0, the state of a world on an
+// OpenCL device is kept in host memory every N steps, and so are the arguments of all calls since. A call during which the
+// device fails makes no further call to the device, and logs one warning. It restores the kept state on the CPU, repeats the
+// calls since, then does its own work there and returns its usual status. The world continues with the same bits. Handles,
+// saves, recordings and lists that calls returned stay as they were; memory is no longer shared, and the device is "cpu", as
+// after scree_world_move, which may move the world to a device again. If host memory for this is lacking, the call fails with
+// SCREE_ERROR_DEVICE_FAILED, and the next call tries again. A device whose memory is too small for a step counts as failed.
+// A state is kept earlier if the arguments of the calls need more memory than it. If memory for a state is lacking, the
+// library logs a warning, and no call fails.
 
-// Returns the number of CPU threads in use; 0 on an OpenCL device.
+// Returns the number of CPU threads in use; 0 on an OpenCL device, or if world is null.
 SCREE_API int scree_world_get_threads(const scree_world* world);
-// Returns the number of CPU SIMD lanes in use; 0 on an OpenCL device.
+// Returns the number of CPU SIMD lanes in use; 0 on an OpenCL device, or if world is null.
 SCREE_API int scree_world_get_lanes(const scree_world* world);
 
 // Computes a 64-bit hash of all simulated state. Worlds with equal state have equal hashes on every device.
@@ -466,7 +471,8 @@ SCREE_API scree_status scree_world_snapshot(scree_world* world, const void** byt
 // Replaces the content of a world by a snapshot, on the device of the world. Handles of objects that the snapshot lacks
 // become invalid, and lists that the world returned too. Device, threads, lanes, timings and shared memory are those of
 // the world. Fails with SCREE_ERROR_INVALID if the snapshot is damaged, not consistent or of a newer format, and with
-// SCREE_ERROR_OUT_OF_MEMORY; the world is then unchanged. A failure of the device is sticky, as after scree_world_step.
+// SCREE_ERROR_OUT_OF_MEMORY; the world is then unchanged. A failure of the device breaks the world, as in
+// scree_world_step.
 SCREE_API scree_status scree_world_restore(scree_world* world, const void* bytes, size_t size);
 
 // Creates a world from a snapshot. def: device, threads, lanes, allow_unequal_bits, timings, opengl and capacities of the
@@ -562,9 +568,9 @@ SCREE_API scree_status scree_replay_restore(scree_replay* replay, scree_world* w
 
 // Repeats the calls of a recording up to the next step and its hash. Sets stepped to false if no step was left; the calls
 // after the last step have then been repeated. Fails with SCREE_ERROR_DIFFERENT and the number of the step if a call has
-// other results than in the recording, if a call fails, or if the hash differs; stepped is then true if the recording goes
-// on, and the next call repeats it. world: made by
-// scree_replay_create_world or restored by scree_replay_restore, and not changed by other calls since.
+// other results than in the recording, if a call fails, or if the hash differs; stepped is then true if more of the
+// recording is left, which the next call repeats. world: made by scree_replay_create_world or restored by
+// scree_replay_restore, and not changed by other calls since.
 SCREE_API scree_status scree_replay_step(scree_replay* replay, scree_world* world, bool* stepped);
 
 // Saves, for rollback. A save is a copy of the state of a world in the memory of its device. It is faster than a snapshot,
@@ -574,27 +580,28 @@ SCREE_API scree_status scree_replay_step(scree_replay* replay, scree_world* worl
 
 // Saves a world. save: number of the save, from 0 to SCREE_SAVES - 1; an older save of this number is replaced. Pending
 // changes of the user are in the save. What only the user changes, such as shapes, masses and joints, is copied if it
-// changed since the last save. If memory is missing, fails with SCREE_ERROR_OUT_OF_MEMORY; the older save may then be lost.
+// changed since the last save. If it fails with SCREE_ERROR_OUT_OF_MEMORY, an older save of this number may be lost.
 SCREE_API scree_status scree_world_save(scree_world* world, int save);
 
 // Returns a world to the state of a save. The save stays. Handles and lists are as after scree_world_restore. Fails with
 // SCREE_ERROR_INVALID if there is no save of this number, and with SCREE_ERROR_OUT_OF_MEMORY; the world is then unchanged.
-// A failure of the device is sticky, as after scree_world_step.
+// A failure of the device breaks the world, as in scree_world_step.
 SCREE_API scree_status scree_world_load(scree_world* world, int save);
 
-// Sets *bytes to the memory on its device that a save has, apart from what it shares with other saves; 0 if the number
-// has no save. bytes: not null. Fails with SCREE_ERROR_INVALID.
+// Sets *bytes to the device memory of a save, in bytes, without the part that it shares with other saves; 0 if there is
+// no save of this number. Fails with SCREE_ERROR_INVALID if the number is out of range.
 SCREE_API scree_status scree_world_get_save_bytes(const scree_world* world, int save, uint64_t* bytes);
 
-// Gives up a save, so that other saves can use its memory. Has no effect if there is no save of this number.
+// Discards a save, so that other saves can use its memory. Has no effect if there is no save of this number. Fails with
+// SCREE_ERROR_INVALID if the number is out of range.
 SCREE_API scree_status scree_world_discard(scree_world* world, int save);
 
 typedef struct scree_counters
 {
 	int bodies, dynamic_bodies;  // current numbers
 	int collidables, attributes; // current numbers
-	int contacts;                // pairs whose enlarged boxes overlap
-	int touching;                // contacts with manifold points, including speculative contacts
+	int contacts;                // pairs of collidables whose bounding boxes, enlarged by a margin, overlap
+	int touching;                // contacts with contact points, also those of surfaces that are still apart
 	int colors;                  // colors of the constraint graph in use (scree_contact.color)
 	int spokes;                  // contacts of hubs (bodies with more than 32 contacts), which are solved together
 	int updated_boxes;           // collidables whose enlarged box changed in the last step
@@ -639,7 +646,7 @@ typedef struct scree_traffic // memory traffic of the solve stage in the last st
 
 // Returns the number of bytes that the solve stage of the last step read and wrote. The numbers are computed from the
 // algorithm, so they are the same on every device and independent of caches. The sum of both byte counts divided by
-// scree_timings.solve is the achieved bandwidth. All members are zero before the first step.
+// scree_timings.solve (which is in ms) is the achieved bandwidth. All members are zero before the first step.
 static inline scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic);
 
 // Measures the copy bandwidth of the world's device, in bytes per second, reads plus writes; a CPU uses all threads.
@@ -759,9 +766,9 @@ SCREE_API scree_status scree_attribute_create(scree_world* world, const scree_at
                                               scree_attribute* attribute);
 
 // Reverts one scree_attribute_create. An attribute that was created n times, with equal values, is destroyed by the
-// n-th call. That call fails with SCREE_ERROR_INVALID while a collidable uses the attribute. Later attributes reuse the
-// slot; the handle stays stale. An attribute that collidables own is refused with SCREE_ERROR_INVALID: it ends with the
-// last of them.
+// n-th call. That call fails with SCREE_ERROR_INVALID while a collidable uses the attribute. The handle then stays stale,
+// even if a later attribute has its index. An attribute that collidables own is refused with SCREE_ERROR_INVALID: it ends
+// with the last of them.
 SCREE_API scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute);
 
 // Returns true if the handle refers to an existing attribute.
@@ -1077,8 +1084,8 @@ SCREE_API scree_status scree_body_get_local_point(scree_world* world, scree_body
 SCREE_API scree_status scree_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point,
                                                      scree_vec* velocity);
 
-// Returns a definition of the body as it is now: its type, pose, velocity, values, locks and user data, and whether it
-// is disabled. A body that is created from this definition has no collidable: attribute is null, and filter, reports
+// Returns a definition of the body as it is now: its type, pose, velocity, settings and user data, and whether it is
+// disabled. A body that is created from this definition has no collidable: attribute is null, and filter, reports
 // and sensor have their defaults. The definition contains neither a mass set by scree_body_set_mass, nor the target of a
 // kinematic body, nor forces that were applied since the last step. scree_body_create refuses it if the body has moved
 // beyond SCREE_MAX_COORDINATE or is faster than a new body may be.
@@ -1145,11 +1152,11 @@ SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body bo
 // kinematic bodies never sleep and connect nothing, so crates side by side on the ground are islands of their own.
 // docs/manual/sleep.md has more.
 //
-// An island falls asleep when all of its bodies have been at rest for 0.5 s (scree_world_def.sleep_threshold), or up to
+// An island falls asleep when all of its bodies have been at rest (scree_world_def.sleep_threshold) for 0.5 s, or up to
 // 8 steps later. It stays awake while scree_body_def.stays_awake is set for one of its bodies, while it touches or is
 // joined to a kinematic body that moves, and while a motor moves its bodies with at least half of the motor's speed.
 //
-// An island wakes, in the first step after a call or in the step in which the rest happens, if:
+// An island wakes for these reasons, in the next step after a call, otherwise in the step in which the reason occurs:
 // - a call changes one of its bodies: a force, impulse or velocity other than 0, a pose, mass, type, damping, gravity
 //   scale, lock, collidable, attribute, surface, filter, exclusion or joint; or the body is enabled or disabled;
 // - a body that is awake, or a kinematic body that moves, begins to touch it;
@@ -1247,10 +1254,10 @@ static inline bool scree_collidable_equals(scree_collidable a, scree_collidable 
 
 typedef struct scree_collidable_def
 {
-	uint32_t size; // set by scree_collidable_def_default
-	scree_attribute attribute;
-	scree_body body; // null: the collidable belongs to no body, and only reports overlaps
-	scree_pose pose; // pose in the body's frame, or in the world if there is no body
+	uint32_t size;             // set by scree_collidable_def_default
+	scree_attribute attribute; // not null, except in functions that take a shape
+	scree_body body;           // null (default): the collidable belongs to no body, and only reports overlaps
+	scree_pose pose; // pose in the body's frame, or in the world without a body; position within SCREE_MAX_COORDINATE
 	scree_filter filter;
 	uint64_t user;    // user data, not simulated; default 0
 	uint32_t reports; // bits of SCREE_REPORT_*; default 0
@@ -1457,7 +1464,7 @@ static inline bool scree_joint_equals(scree_joint a, scree_joint b)
 
 typedef enum scree_joint_type // comments: the locked coordinates, then other values that scree_joint_def_make sets
 {
-	SCREE_JOINT_FREE,      // no coordinate: for joints whose values you set yourself
+	SCREE_JOINT_FREE,      // no coordinate: for joints whose values the program sets
 	SCREE_JOINT_DISTANCE,  // along, at along.target (1 m); unlock it for a spring, or for a rope with limits
 	SCREE_JOINT_REVOLUTE,  // along and across: a hinge
 	SCREE_JOINT_PRISMATIC, // across and angle: a slider along the x axis of frame A
@@ -1472,7 +1479,7 @@ typedef enum scree_joint_type // comments: the locked coordinates, then other va
 	SCREE_JOINT_PATH,   // across: a bead on a wire; also lock the angle for a wagon on a rail
 } scree_joint_type;
 
-// Returns the name of a type ("free", "distance", ...), a constant string; never null.
+// Returns the name of a type ("free", "distance", ...), a constant string; "unknown" for any other number.
 SCREE_API const char* scree_joint_type_name(scree_joint_type type);
 
 typedef enum scree_coordinate // coordinates of frame B in frame A
@@ -1717,7 +1724,7 @@ typedef struct scree_contact_point
 	                       // remaining gap
 	float normal_impulse;  // N s, impulse of the last substep
 	float tangent_impulse; // N s, impulse of the last substep, along (normal.y, -normal.x)
-	uint32_t feature;      // id of the two touching features; constant while they touch
+	uint32_t feature;      // id of the corners or edges that touch; constant while they touch
 } scree_contact_point;
 
 typedef struct scree_contact_detail // data of a point in the last step with dt > 0
@@ -1947,7 +1954,7 @@ typedef struct scree_query_result // 32 bytes: the result of a query
 	                             // negative if the shapes overlap
 	bool hit;                    // true if a collidable was found
 	bool inside;                 // true if the ray or shape overlaps the collidable at the start of the query
-	uint16_t reserved;
+	uint16_t reserved;           // 0
 } scree_query_result;
 
 typedef struct scree_query_results // all results of a call
@@ -1959,9 +1966,9 @@ typedef struct scree_query_results // all results of a call
 	const int* first;
 } scree_query_results;
 
-// Prepares the world for queries: uploads pending changes, and computes the boxes that the first query after a change would
-// compute otherwise, with all workers. It is never needed. Only one thread at a time may call it, as with any function that is
-// not listed here.
+// Prepares the world for queries: uploads pending changes, and computes with all threads of the world the boxes that the
+// first query after a change would compute otherwise. No program needs the call; it only saves time. One thread at a time
+// may make it, as with any function that is not listed here.
 //
 // Several threads may call these functions at the same time with the same world, while no other function uses it:
 //   scree_world_cast_rays, scree_world_cast_ray, scree_world_cast_shapes, scree_world_cast_shape,
@@ -2007,7 +2014,7 @@ SCREE_API scree_status scree_world_find_nearest(scree_world* world, const scree_
 SCREE_API scree_status scree_world_share_queries(scree_world* world, int file_descriptor, size_t bytes);
 
 // Casts count rays that lie in the memory of scree_world_share_queries, and writes count results there. rays_offset and
-// found_offset are the places of the first ray and of the first result, in bytes, multiples of 4; they may be equal.
+// found_offset are the offsets of the first ray and of the first result, in bytes, multiples of 4; they may be equal.
 // The results are complete when the function returns. The rays are not checked: a ray that scree_world_cast_rays would
 // refuse has an undefined result.
 SCREE_API scree_status scree_world_cast_shared_rays(scree_world* world, const scree_query_def* def, size_t rays_offset,
@@ -2060,8 +2067,8 @@ static inline scree_blast_def scree_blast_def_default(void);
 // the visible bodies with scree_world_cast_rays and push only these. A list that a query returned stays valid.
 SCREE_API scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count);
 
-// Characters of one kind: upright capsules that are moved by queries. length, radius, step_height, snap_distance and
-// 3 skin together are at most SCREE_MAX_COORDINATE.
+// Characters of one kind: upright capsules that are moved by queries. The sum of length, radius, step_height,
+// snap_distance and 3 times skin is at most SCREE_MAX_COORDINATE.
 typedef struct scree_mover_def
 {
 	uint32_t size;       // set by scree_mover_def_default
@@ -2104,8 +2111,9 @@ typedef struct scree_mover
 //
 // Movers do not collide with each other, and push no body (scree_movers_move_bodies does). Add gravity to a velocity in
 // the air. On ground, a velocity component opposite to `up` is set to 0, and a component along `up` is a jump. def may
-// be null for the default. A call makes ten to twenty batches of queries for any number of movers; the bits are the
-// same on every device. On failure movers are unchanged. docs/manual/movers.md describes the parts of a call.
+// be null for the default, in metres whatever length_unit is. A call makes ten to twenty batches of queries, however many
+// movers there are; the bits are the same on every device. On failure movers are unchanged. docs/manual/movers.md describes
+// the parts of a call.
 SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
                                          float dt);
 
@@ -2319,11 +2327,11 @@ SCREE_API void scree_world_unshare(scree_world* world);
 // larger buffer then. It also fails with SCREE_ERROR_INVALID if nothing is shared.
 SCREE_API scree_status scree_world_write_render_rows(scree_world* world, int* count);
 
-// As scree_world_get_render_rows and scree_world_write_render_rows, with bodies at the poses of
-// scree_world_get_interpolated. alpha: fraction of the last step, 0 to 1; 1 gives the rows of the current state.
-// Collidables without a body stand.
+// Writes rows as scree_world_get_render_rows does, with bodies at the poses of scree_world_get_interpolated. alpha:
+// fraction of the last step, 0 to 1; 1 gives the rows of the current state. Collidables without a body stand.
 SCREE_API scree_status scree_world_get_interpolated_rows(scree_world* world, float alpha, scree_render_row* rows,
                                                          int capacity, int* count);
+// Writes the same rows into the shared memory, and fails as scree_world_write_render_rows does.
 SCREE_API scree_status scree_world_write_interpolated_rows(scree_world* world, float alpha, int* count);
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -2343,10 +2351,10 @@ typedef struct scree_clock
 	float dt;           // s: length of a step, 1e-9 to 1, as that of scree_world_step
 	float time_scale;   // simulated time per time of frames: 1 for real time, 0.25 for slow motion; 0 stops the time
 	int32_t most_steps; // maximum number of steps of a frame, at least 1; the default is 8
-	bool paused;        // frames count as 0 s
+	bool paused;        // true: frames count as 0 s
 	float alpha;        // result: the part of a step that has passed since the last step, 0 to below 1
 	double rest;        // s: result: simulated time since the last step, from 0 to below dt
-	double dropped;     // s: result: simulated time that the last frame had above most_steps, and that is lost
+	double dropped;     // s: result: simulated time of the last frame beyond most_steps, which is lost
 } scree_clock;
 
 // Returns a clock in real time, at the beginning of a step. dt: s.

@@ -36,8 +36,8 @@ typedef struct scree_scene_def
 // Returns a definition with the default values.
 static inline scree_scene_def scree_scene_def_default(void);
 
-#define SCREE_SCENE_NAME  64  // size of a name, characters with the final 0
-#define SCREE_SCENE_TITLE 160 // size of a title
+#define SCREE_SCENE_NAME  64  // bytes of a name, with the final 0
+#define SCREE_SCENE_TITLE 160 // bytes of a title, with the final 0
 
 typedef struct scree_scene_info // settings of a scene that its world does not have
 {
@@ -79,7 +79,8 @@ enum // keys of the keyboard, for scree_scene_set_keys
 // def is out of range, and as scree_world_create.
 SCREE_API scree_status scree_scene_load(const char* path, const scree_scene_def* def, scree_scene** scene);
 
-// Likewise, from the text of a file, of `size` bytes. name: of the file, for messages.
+// Loads a scene as scree_scene_load does, from the text of a file in memory, of `size` bytes. name: name of the file, for
+// messages.
 SCREE_API scree_status scree_scene_load_text(const void* text, size_t size, const char* name,
                                              const scree_scene_def* def, scree_scene** scene);
 
@@ -122,8 +123,8 @@ SCREE_API scree_status scree_scene_step(scree_scene* scene);
 // the world has a length_unit other than 1. It fails as functions that read the world.
 SCREE_API scree_status scree_scene_write(scree_world* world, const scree_scene_info* info, const char* path);
 
-// Likewise, to memory. *text gets the text, which ends with 0, and *size its bytes without that 0. The caller frees the text with
-// scree_scene_free_text. On failure *text is null. name: of the file, for messages.
+// Writes the same text to memory. *text gets the text, which ends with 0, and *size its bytes without that 0. The caller frees
+// the text with scree_scene_free_text. On failure *text is null. name: name of the file, for messages.
 SCREE_API scree_status scree_scene_write_text(scree_world* world, const scree_scene_info* info, const char* name,
                                               char** text, size_t* size);
 
