@@ -475,14 +475,15 @@ SCREE_API scree_status scree_world_snapshot(scree_world* world, const void** byt
 // scree_world_step.
 SCREE_API scree_status scree_world_restore(scree_world* world, const void* bytes, size_t size);
 
-// Creates a world from a snapshot. def: device, threads, lanes, allow_unequal_bits, timings, opengl and capacities of the
-// world; its other members are those of the snapshot. Fails as scree_world_create and scree_world_restore; *world is null
-// then.
+// Creates a world from a snapshot. def: device, threads, lanes, tasks, allow_unequal_bits, timings, opengl, capacities,
+// device_timeout and recovery_interval of the world; its other members are those of the snapshot. The caller owns *world,
+// which is null on failure. Fails as scree_world_create and scree_world_restore.
 SCREE_API scree_status scree_world_create_from(const scree_world_def* def, const void* bytes, size_t size,
                                                scree_world** world);
 
-// Creates a world with the state of another one. def: as in scree_world_create_from, or null for the same device, threads
-// and lanes. Handles of the one are valid in the other.
+// Creates a world with the state of another one. def: as in scree_world_create_from, or null for the members of the other
+// world. The caller owns *clone, which is null on failure. Handles of the one are valid in the other. Fails as
+// scree_world_create and scree_world_snapshot.
 SCREE_API scree_status scree_world_clone(scree_world* world, const scree_world_def* def, scree_world** clone);
 
 typedef struct scree_difference // a column of values in which two snapshots differ

@@ -93,8 +93,8 @@ SCREE_API scree_world* scree_scene_get_world(const scree_scene* scene);
 // Returns the settings of a scene.
 static inline scree_status scree_scene_get_info(const scree_scene* scene, scree_scene_info* info);
 
-// Writes the names of up to capacity entries of bodies, in the order of the file, and sets count to their number. The scene owns
-// the strings.
+// Writes up to capacity names of the entries of bodies that have one, in the order of the file, and sets count to their number.
+// The scene owns the strings.
 SCREE_API scree_status scree_scene_get_names(const scree_scene* scene, const char** names, int capacity, int* count);
 
 // Writes the handles of up to capacity bodies of the entry with a name, as they were at the start, and sets count to their number.
