@@ -2,6 +2,7 @@
 // test_path_changes.c -- checks joints on paths that end, cross themselves, move and change: limits, laps, branches,
 // and bodies that the user places.
 #include "support/make_paths.h"
+#include "tools/common/random_numbers.h"
 #include <math.h>
 #include <string.h>
 
@@ -287,6 +288,30 @@ static void paths_come_and_go(void** state)
 	scree_world_destroy(world);
 }
 
+// The points of an open path are read back with the bits that they were created with.
+static void points_are_exact(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	uint64_t seed = 1;
+	for (int k = 0; k < 200; ++k)
+	{
+		scree_vec points[8], found[8];
+		scree_path_def def = scree_path_def_default();
+		scree_path path;
+		int count = 2 + k % 7, read;
+		for (int n = 0; n < count; ++n)
+			points[n] = (scree_vec){random_between(&seed, -50.0f, 50.0f), random_between(&seed, -50.0f, 50.0f)};
+		def.points = points;
+		def.count = count;
+		OK(scree_path_create(world, &def, &path));
+		OK(scree_path_get_points(world, path, found, 8, &read));
+		assert_int_equal(read, count);
+		assert_memory_equal(found, points, (size_t)count * sizeof *points);
+	}
+	scree_world_destroy(world);
+}
+
 // Joints on paths can be disabled, enabled and broken, and their bodies can change their type, as with other joints.
 static void joints_rest_and_break(void** state)
 {
@@ -394,6 +419,7 @@ int main(void)
 	    cmocka_unit_test(paths_move_with_bodies),
 	    cmocka_unit_test(jumps_of_the_path_add_no_speed),
 	    cmocka_unit_test(paths_come_and_go),
+	    cmocka_unit_test(points_are_exact),
 	    cmocka_unit_test(joints_rest_and_break),
 	    cmocka_unit_test(placing_moves_frame_b),
 	};

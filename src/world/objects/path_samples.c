@@ -184,6 +184,11 @@ void path_sample(const scree_vec* points, int count, bool closed, double* work, 
 	}
 	PathSample* last = samples + PATH_SHARES * spans;
 	*last = closed ? samples[0] : sample_at(&c, 1.0, system.length[spans - 1], along, length);
+	if (!closed) // the sum of the cubic's terms at t = 1 may be rounded
+	{
+		last->x = flush_tiny(points[count - 1].x);
+		last->y = flush_tiny(points[count - 1].y);
+	}
 	last->along = (float)along;
 	last->length = closed ? samples[0].length : 0.0f;
 }
