@@ -70,6 +70,8 @@ expect 1 ' M CHANGELOG.md' tree/tools/release.sh
 commit second
 expect 0 "git tag -a v7.8.9 -m 'Scree 7.8.9' $(git -C tree rev-parse HEAD)" tree/tools/release.sh
 grep -q 'give it the date' out || fail "release.sh: does not say that the version has no date"
+placeholder=$(sed -n 's/^placeholder=//p' tree/tools/release.sh)
+grep -q "${placeholder:?}" out && fail "release.sh: names a placeholder that no file has"
 release=tree/build/release
 [ "$(ls $release)" = "$(printf '%s\n' SHA256SUMS scree-7.8.9.tar.gz scree-npm-7.8.9.tgz scree-page-7.8.9.tar.gz)" ] ||
 	fail "release.sh: has other files:" "$(ls $release)"
@@ -80,6 +82,8 @@ for file in scree-7.8.9.tar.gz:scree-7.8.9/LICENSE scree-npm-7.8.9.tgz:package/p
 	grep -qx "${file#*:}" out || fail "${file%:*}: has no ${file#*:}"
 done
 grep -q package out && fail "the page has the package in it"
+mkdir tree/docs
+echo "git clone $placeholder" >tree/docs/start.md
 sed -i 's/ (unreleased)/ (2000-01-01)/' tree/CHANGELOG.md
 commit third
 git -C tree tag v7.8.9 HEAD^
@@ -87,6 +91,7 @@ expect 1 'the tag v7.8.9 is on' tree/tools/release.sh
 git -C tree tag -f v7.8.9 >out
 expect 0 'Scree 7.8.9' tree/tools/release.sh
 grep -q 'give it the date' out && fail "release.sh: misses a date that is there"
+grep -q "^docs/start.md: $placeholder" out || fail "release.sh: does not name a file that has the placeholder"
 cp $release/SHA256SUMS first
 sleep 1
 expect 0 'Scree 7.8.9' tree/tools/release.sh

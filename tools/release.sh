@@ -49,6 +49,8 @@ rm -rf "$tree"
 
 echo "The files of Scree $version are in $folder."
 [[ $section != *unreleased* ]] || echo "CHANGELOG.md says \"$section\": give it the date, commit, and run make release again before the tag."
-placeholder=$(git grep -l https://example.org/scree -- README.md web/start.json | paste -sd ' ' || true)
-[ -z "$placeholder" ] || echo "$placeholder: https://example.org/scree is a placeholder for the address of the project (CONTRIBUTING.md)."
+placeholder=https://example.org/scree
+# this script and CONTRIBUTING.md keep the placeholder, because they explain it
+files=$(git grep -lF "$placeholder" -- . ':!tools/release.sh' ':!CONTRIBUTING.md' | paste -sd ' ' || true)
+[ -z "$files" ] || echo "$files: $placeholder is a placeholder for the address of the project (CONTRIBUTING.md)."
 echo "The tag: git tag -a v$version -m 'Scree $version' $commit && git push origin v$version"
