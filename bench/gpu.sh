@@ -2,7 +2,7 @@
 # gpu.sh -- tests and measures a GPU: builds, compares hashes of all scenes and of random programs on CPU and GPU, then measures.
 #
 # usage: bench/gpu.sh [DEVICE [FOLDER]]
-#   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
+#   DEVICE  part of the name of an OpenCL device or of its driver, as in --device opencl:DEVICE; default NVIDIA
 #   FOLDER  gets parity.csv, programs.txt, bench.csv, queries.csv, rays.csv, frames.csv, sleep.csv, machine.txt and the curves;
 #           default bench/results/DEVICE
 # Variables and their defaults:

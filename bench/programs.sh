@@ -2,7 +2,7 @@
 # programs.sh -- runs random sequences of API calls on CPU and GPU, with three forms of the solve, and compares the bits.
 #
 # usage: bench/programs.sh [DEVICE [FOLDER]]
-#   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
+#   DEVICE  part of the name of an OpenCL device or of its driver, as in --device opencl:DEVICE; default NVIDIA
 #   FOLDER  gets programs.txt, and a shortened copy of each program that fails; default bench/results/DEVICE
 # Each form runs PROGRAMS (1000) programs, for at most SECONDS_EACH (120) seconds. Exit 1 when bits differ from those of the
 # CPU. build/tests/programs must have been built.

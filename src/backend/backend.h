@@ -28,7 +28,7 @@ typedef scree_status TestWorlds(Backend* b, WorldsTest* test);
 
 typedef struct
 {
-	const char* device; // part of the name of a device, or null for the first suitable device
+	const char* device; // part of the name of a device or of its driver, case ignored; null: the first suitable
 	int threads, lanes; // 0 for the maximum of the device
 	bool allow_unequal_bits, timings;
 	float device_timeout;       // OpenCL: scree_world_def.device_timeout, s

@@ -280,7 +280,9 @@ scree_status device_choose(const BackendOptions* options, Device* device)
 	if (!best && options->gpu && !part[0])
 		return fail(SCREE_ERROR_NO_DEVICE, "This machine has no OpenCL device that is a GPU.");
 	if (!best)
-		return fail(SCREE_ERROR_NO_DEVICE, "No OpenCL device of this machine has \"%s\" in its name.", part);
+		return fail(SCREE_ERROR_NO_DEVICE,
+		            "No OpenCL device of this machine has \"%s\" in its name or in that of its driver, case ignored.",
+		            part);
 	if (!best->usable || (!best->about.equal_bits && !options->allow_unequal_bits))
 		return fail(SCREE_ERROR_NO_DEVICE, "Device %s is refused: %s.", best->about.name, best->about.reason);
 	*device = *best;

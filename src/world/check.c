@@ -117,7 +117,8 @@ scree_status check_device(ArgumentPlace at, const char* member, const char* devi
 		return SCREE_OK;
 	return refuse(
 	    SCREE_ERROR_INVALID, at, member,
-	    "is \"%.64s\", must be \"auto\", \"cpu\", \"opencl\" or \"opencl:NAME\" with a part of a device's name",
+	    "is \"%.64s\", must be \"auto\", \"cpu\", \"opencl\" or \"opencl:NAME\", NAME a part of the name of the "
+	    "device or of its driver, case ignored",
 	    device);
 }
 

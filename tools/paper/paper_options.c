@@ -5,10 +5,11 @@
 
 #define ALL (RUN | HASH | BENCH | FIGURE)
 
-static const Option device = {"device", 'd', "NAME",
-                              "cpu, opencl, or opencl:NAME with part of a device's name; cpu without it, but all "
-                              "devices for figures",
-                              TEXT(Options, device)};
+static const Option device = {
+    "device", 'd', "NAME",
+    "cpu, opencl, or opencl:NAME; NAME: part of the name of the device or of its driver, case ignored; cpu "
+    "without it, but all devices for figures",
+    TEXT(Options, device)};
 static const Option repeats = {"repeats", 'r', "N", "runs of each scene or row, 3 without it",
                                NUMBER(Options, repeats, 1000)};
 static const Option limit = {"limit", 'm', "N", "maximum number of bodies, a million without it",
