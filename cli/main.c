@@ -40,10 +40,10 @@ static const Command commands[] = {
      devices_command, NULL},
     {BENCH, "bench", "bench [SCENE|FILE]...", "measure scenes, default: all; CSV on standard output", 0, 1000,
      bench_command, NULL},
-    {FRAMES, "bench frames", "bench frames SCENE|FILE", "measure steps with drawing: docs/manual/share.md", 1, 1,
-     frames_command, NULL},
+    {FRAMES, "bench frames", "bench frames SCENE|FILE", "measure steps with drawing: docs/measurements/drawing.md", 1,
+     1, frames_command, NULL},
     {QUERIES, "bench queries", "bench queries SCENE|FILE",
-     "measure rays and other queries at the end of a run: docs/manual/queries.md", 1, 1, queries_command, NULL},
+     "measure rays and other queries at the end of a run: docs/measurements/queries.md", 1, 1, queries_command, NULL},
     {VALIDATE, "validate", "validate [NAME]...", "run the validation experiments: docs/measurements/validate.md", 0,
      1000, validate_command, print_experiments},
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_sleep_scenes.c -- checks that whole scenes fall asleep within 10 s after they came to rest, and stay asleep.
 //
-// A scene is at rest since the last step in which a center of mass moved faster than the threshold. docs/manual/sleep.md has
+// A scene is at rest since the last step in which a center of mass moved faster than the threshold. docs/measurements/sleep.md has
 // times of Box2D beside those of Scree.
 #include "scene/player.h"
 #include "support/load_scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sleep_bench.c -- scree_sleep: measures the cost of sleeping bodies, and of steps that wake them (docs/manual/sleep.md).
+// sleep_bench.c -- scree_sleep: measures the cost of sleeping bodies, and of steps that wake them (docs/measurements/sleep.md).
 #include "sleep_cases.h"
 #include "sleep_rows.h"
 #include "sleep_trial.h"

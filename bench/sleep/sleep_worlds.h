@@ -4,7 +4,7 @@
 #define SLEEP_WORLDS_H
 #include "sleep_run.h"
 
-#define STANDARD_SLEEPERS 990000  // 18,000 pyramids; a change makes docs/manual/sleep.md that of another world
+#define STANDARD_SLEEPERS 990000  // 18,000 pyramids; a change makes docs/measurements/sleep.md that of another world
 #define LARGE_SLEEPERS    9955000 // 181,000 pyramids; the same
 #define MAX_ROWS          200     // maximum number of rows of a pyramid
 

@@ -26,7 +26,7 @@ static const char usage[] =
     "  --reports N     failures that a process makes shorter and prints; the others it counts (4)\n"
     "  --infinite      state that is not finite is no failure\n"
     "  --reads         the other world is read between calls, and moved to the device where it is\n"
-    "  --faults        the device of the other world fails between calls: docs/manual/faults.md\n"
+    "  --faults        the device of the other world fails between calls: docs/design/faults.md\n"
     "  --records       the calls of each program are recorded, and repeated on the device at the end "
     "(docs/manual/recording.md)\n"
     "  --record FILE   the same; the last recording is written to the file\n"

@@ -16,8 +16,8 @@ int random_below(uint64_t* seed, int count);                 // from 0 to count 
 float random_between(uint64_t* seed, float low, float high); // low + (high - low) n / 2^24, with a whole number n
 double random_real(uint64_t* seed, double low, double high); // low + (high - low) n / 2^53, with a whole number n
 
-// Returns a number of another generator, only for benchmarks of queries: hits and hashes in docs/manual/queries.md depend on
-// this generator.
+// Returns a number of another generator, only for benchmarks of queries: hits and hashes in docs/measurements/queries.md depend
+// on this generator.
 float knuth_between(uint64_t* seed, float low, float high);
 
 #endif

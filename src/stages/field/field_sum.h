@@ -2,7 +2,7 @@
 // field_sum.h -- computes the poses at which fields act on bodies, and sums the forces of fields on a body.
 //
 // Fields act once per step, at the poses that bodies reach without fields after (n - 1) / 2 of n substeps. So a step is
-// a leapfrog step (drift, kick, drift), and orbits keep their energy (docs/manual/fields.md, When fields act).
+// a leapfrog step (drift, kick, drift), and orbits keep their energy (docs/design/fields.md, When fields act).
 //
 // This work is based on:
 // Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: Stoermer and Verlet.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // one_way.h -- one-way platforms: tests whether a visitor is on the side from which a platform is solid.
 //
-// docs/manual/rules.md, One-way platforms, has the reasons. A visitor becomes held when it is above the platform: none of its
+// docs/design/rules.md has the reasons. A visitor becomes held when it is above the platform: none of its
 // points is below an upper side by more than a small slop, and it is over this side or gets there in the step. It stays
 // held while it touches the platform; without a touch, until it is below or beside the platform, because a tilted plank
 // may reach below the platform before the two touch.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// auto.h -- device "auto": decides on which device a world is faster, and moves the world there. See docs/manual/auto.md.
+// auto.h -- device "auto": decides on which device a world is faster, and moves the world there. See docs/design/auto.md.
 #ifndef AUTO_H
 #define AUTO_H
 #include "world/auto_state.h"
