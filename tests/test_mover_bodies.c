@@ -6,6 +6,7 @@
 #include "tools/common/random_numbers.h"
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #define GRAVITY 10.0f
 #define HALF    0.61f // m: height of the center of a default mover above the ground, with its skin
@@ -420,6 +421,29 @@ static void recordings_repeat_it(void** state)
 	scree_world_destroy(world);
 }
 
+// A mover that ignores a platform with a mask goes on with its body when the platform is destroyed: a destroyed body counts as
+// null, so the mover ignores its own body again, with any mask.
+static void a_destroyed_body_is_not_ignored(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-GRAVITY);
+	add_floor(world);
+	scree_body platform = add_box(world, SCREE_BODY_STATIC, 1.0f, 0.1f, 0.0f, 2.0f);
+	Walker w = walker_at(world, 0.0f, HALF);
+	w.mover.ignored = platform;
+	assert_int_equal(scree_movers_move_bodies(world, NULL, &w.mover, &w.body, 1, FORCE, STEP), SCREE_ERROR_INVALID);
+	assert_non_null(strstr(scree_error(), "movers[0].ignored"));
+	OK(scree_body_destroy(world, platform));
+	for (int frame = 0; frame < 60; ++frame)
+	{
+		walk(&w, SPEED);
+		assert_true(scree_body_equals(w.mover.ignored, platform));
+		assert_true(gap_of(&w) < 1e-3f);
+	}
+	NEAR(w.mover.position.x, SPEED, 1e-3);
+	scree_world_destroy(world);
+}
+
 // Movers of all sizes and forces walk among crates, also far away. Positions and speeds stay finite. A disabled body is
 // at the place of its mover, and pushes nothing.
 static void hostile_movers(void** state)
@@ -473,6 +497,7 @@ int main(void)
 	    cmocka_unit_test(sensors_see_it),
 	    cmocka_unit_test(crowds_are_equal_everywhere),
 	    cmocka_unit_test(recordings_repeat_it),
+	    cmocka_unit_test(a_destroyed_body_is_not_ignored),
 	    cmocka_unit_test(hostile_movers),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -48,7 +48,7 @@ static scree_status check_ignored(const BodyCall* call, int k, const HostBody* h
 	const scree_world* world = call->push.world;
 	const scree_mover_def* def = call->push.def;
 	scree_body ignored = call->push.before[k].ignored;
-	if (scree_body_is_null(ignored) || scree_body_equals(ignored, call->bodies[k]) ||
+	if (!body_is_valid(world, ignored) || scree_body_equals(ignored, call->bodies[k]) ||
 	    !(def->kinds & SCREE_QUERY_KINEMATIC))
 		return SCREE_OK;
 	for (int i = host->first_collidable; i >= 0; i = world->host_collidables[i].next)
@@ -196,7 +196,7 @@ static scree_status move(BodyCall* call, scree_mover* movers, const scree_mover_
 	for (int k = 0; k < p->count; ++k)
 	{
 		p->after[k] = movers[k];
-		if (scree_body_is_null(movers[k].ignored))
+		if (!body_is_valid(p->world, movers[k].ignored)) // null or destroyed
 			p->after[k].ignored = call->bodies[k];
 	}
 	TRY(metric_movers_move(p->world, def, p->after, p->count, p->dt));
