@@ -71,8 +71,8 @@ static bool read_heading(Reader* reader, const json_t* root, Scene* scene)
 	    !reader_string(reader, KEY(NULL, "name"), json_object_get(root, "name"), &name) ||
 	    !reader_string(reader, KEY(NULL, "title"), json_object_get(root, "title"), &title))
 		return false;
-	snprintf(scene->name, sizeof scene->name, "%s", name);
-	snprintf(scene->title, sizeof scene->title, "%s", title);
+	copy_text(scene->name, sizeof scene->name, name);
+	copy_text(scene->title, sizeof scene->title, title);
 	clean_text(scene->name);
 	clean_text(scene->title);
 	return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // scene_arguments.c -- checks the definitions that programs give to the functions of scree_scene.h.
 #include "scene/scene_arguments.h"
+#include "scene/clean_text.h"
 #include "scene/format.h"
 #include "scene/load.h"
 #include <string.h>
@@ -42,11 +43,16 @@ scree_status arguments_load(const char* function, const scree_scene_def* given, 
 	return SCREE_OK;
 }
 
-scree_world_def arguments_world(const Scene* scene, const scree_world_def* over)
+scree_status arguments_world(const char* function, const Scene* scene, const scree_world_def* over,
+                             scree_world_def* def, char* sentence)
 {
-	scree_world_def def = over ? *over : scree_world_def_default();
-	def.gravity = scene->world.gravity;
-#define X(name) def.name = scene->world.name;
+	*def = scree_world_def_default();
+	scree_status status = SCREE_OK;
+	if (over)
+		status = copy_versioned(function, "def.world", over, def, sizeof *def, sentence);
+	def->size = sizeof *def;
+	def->gravity = scene->world.gravity;
+#define X(name) def->name = scene->world.name;
 	X(contact_hertz)
 	X(contact_damping_ratio)
 	X(contact_push_speed)
@@ -59,9 +65,21 @@ scree_world_def arguments_world(const Scene* scene, const scree_world_def* over)
 	X(sleep_threshold)
 	X(length_unit)
 #undef X
-	if (def.body_capacity == 0)
-		def.body_capacity = scene->world.body_capacity;
-	return def;
+	if (def->body_capacity == 0)
+		def->body_capacity = scene->world.body_capacity;
+	return status;
+}
+
+// Checks a text: a final 0, and characters of UTF-8 only, because the reader refuses others.
+static scree_status check_text(const char* function, const char* member, const char* text, size_t size, char* sentence)
+{
+	if (!memchr(text, 0, size))
+		return REFUSE(sentence, "%s: info.%s has no 0 at its end", function, member);
+	for (const char* c = text; *c; c += character_bytes(c))
+		if (character_bytes(c) == 0)
+			return REFUSE(sentence, "%s: info.%s is not UTF-8: byte %d is 0x%02x", function, member, (int)(c - text),
+			              (unsigned)(unsigned char)*c);
+	return SCREE_OK;
 }
 
 // Checks a box of a picture, by the limits of scene files.
@@ -83,8 +101,10 @@ scree_status arguments_write(const char* function, const scree_scene_info* given
 	scree_status status = SCREE_OK;
 	if (given)
 		status = copy_versioned(function, "info", given, &info, sizeof info, sentence);
-	if (status == SCREE_OK && (!memchr(info.name, 0, sizeof info.name) || !memchr(info.title, 0, sizeof info.title)))
-		status = REFUSE(sentence, "%s: info.name or info.title has no 0 at its end", function);
+	if (status == SCREE_OK)
+		status = check_text(function, "name", info.name, sizeof info.name, sentence);
+	if (status == SCREE_OK)
+		status = check_text(function, "title", info.title, sizeof info.title, sentence);
 	if (status == SCREE_OK && info.has_view)
 		status = check_box(function, "view", &info.view, sentence);
 	if (status == SCREE_OK && info.has_detail)

@@ -11,8 +11,10 @@
 // (SCENE_SENTENCE characters).
 scree_status arguments_load(const char* function, const scree_scene_def* given, scree_scene_def* def, char* sentence);
 
-// Returns the definition of a scene's world, with the device and the like of another definition, which may be null.
-scree_world_def arguments_world(const Scene* scene, const scree_world_def* over);
+// Makes the definition of a scene's world, with the device and the like of another definition, which may be null, or of another
+// version of the header.
+scree_status arguments_world(const char* function, const Scene* scene, const scree_world_def* over,
+                             scree_world_def* def, char* sentence);
 
 // Copies the settings of a file to a scene; null: the defaults. Checks those that scene_write does not check.
 scree_status arguments_write(const char* function, const scree_scene_info* given, Scene* scene, char* sentence);

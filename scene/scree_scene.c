@@ -48,10 +48,12 @@ void scree_scene_info_default_sized(scree_scene_info* info, size_t size)
 	memcpy(info, &made, size < sizeof made ? size : sizeof made);
 }
 
-static scree_status open_world(const scree_world_def* over, scree_scene* scene)
+static scree_status open_world(const char* function, const scree_world_def* over, scree_scene* scene, char* sentence)
 {
-	const scree_world_def def = arguments_world(scene->scene, over);
-	scree_status status = player_open(&scene->player, scene->scene, &def);
+	scree_world_def def;
+	scree_status status = arguments_world(function, scene->scene, over, &def, sentence);
+	if (status == SCREE_OK)
+		status = player_open(&scene->player, scene->scene, &def);
 	if (status != SCREE_OK)
 		return status;
 	status = scree_world_get_bodies(scene->player.world, NULL, 0, &scene->body_count);
@@ -103,7 +105,7 @@ static scree_status load(const Source* source, const scree_scene_def* def, scree
 		return snprintf(sentence, SCENE_SENTENCE, "%s: out of memory", source->function), SCREE_ERROR_OUT_OF_MEMORY;
 	status = read_file(source, &local, &made->scene, sentence);
 	if (status == SCREE_OK)
-		status = open_world(local.world, made);
+		status = open_world(source->function, local.world, made, sentence);
 	if (status == SCREE_OK)
 		*scene = made;
 	else

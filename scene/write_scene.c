@@ -72,9 +72,13 @@ static void set_names(const char* file, Scene* scene)
 	if (length > 5 && strcmp(base + length - 5, ".json") == 0)
 		length -= 5;
 	if (!*scene->name)
-		snprintf(scene->name, sizeof scene->name, "%.*s", (int)length, length > 0 ? base : "scene");
+	{
+		size_t size = length < sizeof scene->name ? length + 1 : sizeof scene->name;
+		copy_text(scene->name, length > 0 ? size : sizeof scene->name, length > 0 ? base : "scene");
+		clean_text(scene->name); // a name of a file may have any bytes
+	}
 	if (!*scene->title)
-		snprintf(scene->title, sizeof scene->title, "%s", scene->name);
+		copy_text(scene->title, sizeof scene->title, scene->name);
 }
 
 scree_status scene_write(const Scene* scene, scree_world* world, const char* file, Text* text, char* sentence)

@@ -70,11 +70,13 @@ static size_t member_size(const FormatKey* key)
 	}
 }
 
-// Returns true if a member has the bits of the default, or is NaN, which stands for a value that is not set.
+static bool is_nan(const char* member) { return *(const float*)member != *(const float*)member; }
+
+// Returns true if a member has the bits of the default, or if both are NaN, which stands for a value that is not set.
 static bool is_default(const FormatKey* key, const char* member, const char* base)
 {
 	bool number = key->store == STORE_FLOAT && (key->type == TYPE_NUMBER || key->type == TYPE_PAIR);
-	return (number && *(const float*)member != *(const float*)member) || memcmp(member, base, member_size(key)) == 0;
+	return (number && is_nan(member) && is_nan(base)) || memcmp(member, base, member_size(key)) == 0;
 }
 
 static bool write_number(Writer* writer, const Location* location, const FormatKey* key, const char* member)

@@ -36,8 +36,8 @@ typedef struct scree_scene_def
 // Returns a definition with the default values.
 static inline scree_scene_def scree_scene_def_default(void);
 
-#define SCREE_SCENE_NAME  64  // bytes of a name, with the final 0
-#define SCREE_SCENE_TITLE 160 // bytes of a title, with the final 0
+#define SCREE_SCENE_NAME  64  // bytes of a name in UTF-8, with the final 0; longer ones are cut between characters
+#define SCREE_SCENE_TITLE 160 // bytes of a title, likewise
 
 typedef struct scree_scene_info // settings of a scene that its world does not have
 {
@@ -119,7 +119,7 @@ SCREE_API scree_status scree_scene_step(scree_scene* scene);
 // hash of the loaded world.
 //
 // Fails with SCREE_ERROR_FILE if the file cannot be written, and with SCREE_ERROR_INVALID if a value is beyond those of scene
-// files, such as a body beyond SCREE_MAX_COORDINATE, if the file would have more than 64 MiB, the most that is loaded, or if
+// files, such as a body beyond SCREE_MAX_COORDINATE, if a name or title is not UTF-8, if the file would have more than 64 MiB, the most that is loaded, or if
 // the world has a length_unit other than 1. It fails as functions that read the world.
 SCREE_API scree_status scree_scene_write(scree_world* world, const scree_scene_info* info, const char* path);
 
