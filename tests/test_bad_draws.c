@@ -74,6 +74,73 @@ static void other_versions(void** state)
 	assert_memory_equal(states[1], &part, sizeof part);
 }
 
+typedef struct // a world whose drawing functions use it
+{
+	scree_world* world;
+	scree_body crate;
+	int calls;
+} Used;
+
+static int warnings;
+
+static void count_warnings(scree_log_level level, const char* sentence, void* context)
+{
+	(void)context;
+	warnings += level == SCREE_LOG_WARNING && strstr(sentence, "scree_world_destroy: ") != NULL;
+}
+
+static void use_the_world(const scree_vec* vertices, int count, float radius, uint32_t color, void* context)
+{
+	(void)count, (void)radius, (void)color;
+	static DrawLog inner;
+	const scree_draw_def def = log_def(&inner, SCREE_DRAW_SHAPES);
+	Used* used = context;
+	scree_query_result found;
+	const void* bytes;
+	size_t size;
+	++used->calls;
+	const scree_status refused[] = {
+	    scree_world_step(used->world, 1.0f / 60.0f, 4),
+	    scree_body_create_box(used->world, SCREE_BODY_DYNAMIC, upright_at(0.0f, 9.0f), 1.0f, 1.0f, 0, NULL),
+	    scree_body_destroy(used->world, used->crate),
+	    scree_world_cast_ray(used->world, vertices[0], (scree_vec){0.0f, 1.0f}, &found),
+	    scree_world_snapshot(used->world, &bytes, &size),
+	    scree_world_draw(used->world, &def, NULL),
+	};
+	for (size_t k = 0; k < sizeof refused / sizeof *refused; ++k)
+		assert_int_equal(refused[k], SCREE_ERROR_INVALID);
+	assert_string_equal(scree_error(),
+	                    "scree_world_draw: a function that draws for scree_world_draw must not use its world");
+	assert_int_equal(inner.total, 0);
+	scree_world_destroy(used->world);
+}
+
+// Functions that draw use the world of the call: each use is refused, all shapes are drawn, and the world stays as it was.
+static void functions_that_use_the_world(void** state)
+{
+	(void)state;
+	OK(scree_hooks_set(&(scree_hooks){.log = count_warnings}));
+	Used used = {.world = open_world(-10.0f)};
+	used.crate = add_crate(used.world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f);
+	add_crate(used.world, SCREE_BODY_DYNAMIC, 3.0f, 0.5f);
+	scree_draw_def def = log_def(&drawing, SCREE_DRAW_SHAPES);
+	uint64_t first, last;
+	OK(scree_world_get_hash(used.world, &first));
+	def.polygon = use_the_world;
+	def.context = &used;
+	OK(scree_world_draw(used.world, &def, NULL));
+	assert_int_equal(used.calls, 2);
+	assert_int_equal(warnings, 2);
+	OK(scree_world_get_hash(used.world, &last));
+	assert_true(first == last);
+	def = log_def(&drawing, SCREE_DRAW_SHAPES);
+	OK(scree_world_draw(used.world, &def, NULL));
+	assert_int_equal(drawing.counts[DRAWN_POLYGON], 2);
+	run_steps(used.world, 1);
+	scree_world_destroy(used.world);
+	OK(scree_hooks_set(NULL));
+}
+
 // Lets memory run out at each allocation in turn. The call fails before it draws, and then succeeds.
 static void memory_runs_out(void** state)
 {
@@ -111,7 +178,10 @@ int main(void)
 	    cmocka_unit_test(boxes),
 	    cmocka_unit_test(other_versions),
 	};
-	const struct CMUnitTest shortage[] = {cmocka_unit_test(memory_runs_out)};
+	const struct CMUnitTest own_worlds[] = {
+	    cmocka_unit_test(functions_that_use_the_world),
+	    cmocka_unit_test(memory_runs_out),
+	};
 	return cmocka_run_group_tests(tests, set_up_bad_input, tear_down_bad_input) +
-	       cmocka_run_group_tests(shortage, NULL, memory_is_released);
+	       cmocka_run_group_tests(own_worlds, NULL, memory_is_released);
 }

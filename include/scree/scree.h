@@ -2446,7 +2446,8 @@ enum // bits of scree_draw_def.flags, in the order in which they are drawn
 
 // The functions that draw. Each may be null, and then nothing of its kind is drawn. They are called on the thread of the
 // caller, with points in the world, m. Arrays and texts are valid during the call. A function must return, and must not
-// use the world.
+// use the world: calls that change or read its state fail with SCREE_ERROR_INVALID, and scree_world_destroy does nothing but log
+// a warning.
 typedef struct scree_draw_def
 {
 	uint32_t size;       // set by scree_draw_def_default

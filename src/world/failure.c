@@ -7,6 +7,9 @@
 scree_status world_check(const scree_world* world, const char* function)
 {
 	TRY(check_pointer(function, "world", world));
+	if (world->drawing)
+		return fail(SCREE_ERROR_INVALID, "%s: a function that draws for scree_world_draw must not use its world",
+		            function);
 	if (!world->broken)
 		return SCREE_OK;
 	bool device = world->broken == SCREE_ERROR_DEVICE_FAILED;

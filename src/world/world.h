@@ -291,6 +291,7 @@ struct scree_world
 	scree_tasks tasks;   // copy that def.tasks points to; unused when def.tasks is null
 	Backend* backend;
 	scree_status broken;       // sticky error, SCREE_OK while healthy; a broken world can only be destroyed
+	bool drawing;              // true while functions of the program draw the world; calls of these are refused
 	bool ruled;                // true once an attribute was a one-way platform or had a material other than 0
 	Slots bodies, collidables; // body slot 0 is the ground, a static body without a handle
 	HostBody* host_bodies;     // per slot

@@ -68,7 +68,11 @@ scree_status api_world_draw(scree_world* world, const scree_draw_def* def, const
 	DrawRows rows = {0};
 	scree_status status = draw_rows_read(world, function, def->flags, &rows);
 	if (status == SCREE_OK)
+	{
+		world->drawing = true;
 		draw(&(Pen){.world = world, .rows = &rows, .def = def, .view = view});
+		world->drawing = false;
+	}
 	draw_rows_release(&rows);
 	return status;
 }

@@ -212,6 +212,13 @@ void scree_world_destroy(scree_world* world)
 	FLOAT_MODE_HERE;
 	if (!world)
 		return;
+	if (world->drawing)
+	{
+		log_sentence(SCREE_LOG_WARNING,
+		             "scree_world_destroy: a function that draws for scree_world_draw must not use its world; "
+		             "the world is not destroyed");
+		return;
+	}
 #ifndef SCREE_SMALL // a build for WebAssembly makes no recordings, and its device does not fail
 	recorders_close(world);
 	recovery_close(world);
