@@ -157,7 +157,8 @@ static void test_the_pool_stays_with_the_world(void** state)
 	pool_close(&pool);
 }
 
-// A world on an OpenCL device, which needs the pool for transfers at most, has the same bits; it can move to the CPU and back.
+// A world on an OpenCL device, which needs the pool for transfers at most, has the same bits; it can move to the CPU and back. Device
+// "auto" is the CPU.
 static void test_other_devices(void** state)
 {
 	(void)state;
@@ -174,6 +175,10 @@ static void test_other_devices(void** state)
 	fill(world);
 	run_steps(world, STEPS / 2);
 	OK(scree_world_move(world, "cpu"));
+	OK(scree_world_move(world, "opencl"));
+	assert_string_not_equal(scree_world_get_device(world), "cpu");
+	OK(scree_world_move(world, "auto"));
+	assert_string_equal(scree_world_get_device(world), "cpu");
 	run_steps(world, STEPS - STEPS / 2);
 	assert_true(pool.enqueued > 0);
 	assert_int_equal(hash_of(world), expected);

@@ -60,6 +60,8 @@ scree_status api_world_move(scree_world* world, const char* device)
 	const char* function = "scree_world_move";
 	TRY(world_check(world, function));
 	TRY(check_device((ArgumentPlace){function, "device", ALONE}, "", device));
+	if (strcmp(device, "auto") == 0 && auto_is_cpu(world))
+		device = "cpu";
 	if (strcmp(device, "auto") == 0)
 	{
 		auto_open(world, TEST_WORLDS);

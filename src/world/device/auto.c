@@ -215,6 +215,13 @@ static bool trial_is_over(scree_world* world)
 	return here->count >= TRIAL_STEPS || (here->count > 0 && auto_clock() - a->started > TRIAL_LIMIT * before->step);
 }
 
+bool auto_is_cpu(const scree_world* world)
+{
+	const char* named = getenv("SCREE_AUTO");
+	// a thread that opens a GPU, or that of a driver, is none of the user's pool
+	return world->def.tasks || (named && strcmp(named, "cpu") == 0);
+}
+
 void auto_open(scree_world* world, TestWorlds* test)
 {
 	AutoDevice* a = &world->auto_device;
@@ -224,8 +231,7 @@ void auto_open(scree_world* world, TestWorlds* test)
 	const char* named = getenv("SCREE_AUTO");
 	if (named)
 		snprintf(a->named, sizeof a->named, "%s", named);
-	// a thread that opens a GPU, or that of a driver, is none of the user's pool
-	a->alone = strcmp(a->named, "cpu") == 0 || world->def.tasks;
+	a->alone = auto_is_cpu(world);
 	if (a->alone || !world->backend->distant)
 		return;
 	scree_world_def def = world->def;

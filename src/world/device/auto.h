@@ -4,6 +4,9 @@
 #define AUTO_H
 #include "world/auto_state.h"
 
+// Returns true if device "auto" is the CPU alone: for a world with a pool of the user, or by SCREE_AUTO.
+bool auto_is_cpu(const scree_world* world);
+
 // Turn device "auto" on and off. test: see async_open_begin.
 void auto_open(scree_world* world, TestWorlds* test);
 void auto_close(scree_world* world);
