@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // unit_scene.c -- builds a scene with every kind of object in any unit of length, and reads all results of its world in metres.
 #include "support/unit_scene.h"
+#include "platform/processor.h"
 #include <string.h>
 
 #define U  (s->u)
@@ -220,7 +221,7 @@ void unit_scene_open(UnitScene* s, const char* device, int lanes, float unit)
 	def.length_unit = unit;
 	def.device = device;
 	def.threads = lanes ? 1 : 2;
-	def.lanes = lanes;
+	def.lanes = processor_has_lanes(lanes) ? lanes : 0;
 	def.gravity = at(s, 0.0f, -10.0f);
 	def.contact_details = true;
 	OK(scree_world_create(&def, &s->world));

@@ -19,7 +19,8 @@ typedef struct // a world and the objects that the test uses
 } UnitScene;
 
 // Opens a world on a device with a unit of length, and builds the scene. Each length is multiplied by the power of the unit that
-// physics gives it, written out here independently of the library's lists.
+// physics gives it, written out here independently of the library's lists. lanes: 0 or a number that this build or processor lacks:
+// the widest.
 void unit_scene_open(UnitScene* s, const char* device, int lanes, float unit);
 
 // Calls of one step: forces, impulses, targets, motors, a blast and the mover; then the step.
