@@ -2,6 +2,7 @@
 // recordings.h -- makes and repeats recordings in memory for tests.
 #ifndef RECORDINGS_H
 #define RECORDINGS_H
+#include "platform/processor.h"
 #include "support/snapshots.h"
 
 // Begins a recording in memory with a hash in each step.
@@ -21,12 +22,13 @@ static inline Saved recording_of(const scree_world* world)
 	return copy_of(bytes, size);
 }
 
+// Returns a definition. lanes: 0 is taken if this build or processor lacks that number.
 static inline scree_world_def def_on(const char* device, int threads, int lanes)
 {
 	scree_world_def def = scree_world_def_default();
 	def.device = device;
 	def.threads = threads;
-	def.lanes = lanes;
+	def.lanes = processor_has_lanes(lanes) ? lanes : 0;
 	return def;
 }
 

@@ -166,7 +166,8 @@ KERNEL(joint_link)
 // Returns the ISLAND_* bits that body i adds to those of its island.
 INLINE int island_bits(const Pools* p, int i)
 {
-	int island = body_island(p, i), bits = p->island_state[i];
+	// other work-items may add bits to a root at the same time; the root gets all of them, whichever are read here
+	int island = body_island(p, i), bits = read_shared(p->island_state + i);
 	float still = p->still[i];
 	int woken = body_mark(p, i);
 	bits |= woken == WAKE_WORLD ? ISLAND_STIRRED : 0;

@@ -37,10 +37,11 @@ static scree_status repeat_calls(scree_world* made, const char* function, const 
 	FileLists lists = {0};
 	CallArguments arguments = {0};
 	lists_write(&written);
-	ByteReader reader = {written.bytes, written.bytes + written.used};
-	scree_status status = written.used == SIZE_MAX ? fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory to repeat %d calls",
-	                                                      function, kept->count)
-	                                               : lists_read(function, &reader, &lists);
+	scree_status status = SCREE_OK;
+	if (written.used == SIZE_MAX)
+		status = fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory to repeat %d calls", function, kept->count);
+	else
+		status = lists_read(function, &(ByteReader){written.bytes, written.bytes + written.used}, &lists);
 	if (status == SCREE_OK)
 		status = repeat_records(made, function, kept, &lists, &arguments);
 	arguments_close(&arguments);
