@@ -219,10 +219,38 @@ static void fields_far_away(void** state)
 	close_sleepers(world);
 }
 
+// A target stands through steps with dt 0, in which the groups of its body come to rest. The body then moves as it would without
+// these steps, and strikes what it reaches.
+static void targets_outlast_pauses(void** state)
+{
+	(void)state;
+	static const int pauses[] = {0, 16, 17, 100}; // steps with dt 0: two searches of islands end with step 17
+	uint64_t hashes[4];
+	for (int k = 0; k < 4; ++k)
+	{
+		scree_world* world = open_sleepers(0.0f);
+		scree_body ram = add_shape(world, SCREE_BODY_KINEMATIC, box_shape(0.5f, 0.5f), 0, 0, 0);
+		scree_body disc = add_disc(world, 0.5f, 1.5f, 0.0f);
+		run_to_sleep(world, &disc, 1);
+		run_steps(world, 3 * MOST_STEPS);
+		OK(scree_body_set_target(world, ram, upright_at(1.0f, 0.0f)));
+		for (int n = 0; n < pauses[k]; ++n)
+			OK(scree_world_step(world, 0.0f, 4));
+		run_steps(world, 20);
+		assert_true(pose_of(world, disc).position.x > 2.0f);
+		hashes[k] = hash_of(world);
+		assert_true(hashes[k] == hashes[0]);
+		close_sleepers(world);
+	}
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(changes_wake_islands), cmocka_unit_test(joints_drag_sleepers),
+	const struct CMUnitTest tests[] = {cmocka_unit_test(changes_wake_islands),
+	                                   cmocka_unit_test(joints_drag_sleepers),
 	                                   cmocka_unit_test(changes_of_joints_wake_bodies),
-	                                   cmocka_unit_test(settings_in_each_step), cmocka_unit_test(fields_far_away)};
+	                                   cmocka_unit_test(settings_in_each_step),
+	                                   cmocka_unit_test(fields_far_away),
+	                                   cmocka_unit_test(targets_outlast_pauses)};
 	return RUN_SLEEPERS(tests);
 }

@@ -129,6 +129,8 @@ INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 	float turn = vec_angle(vec_turn_back(vec(pose.z, pose.w), vec(target.z, target.w)));
 	command_velocity(p, i, sweep_velocity(&p->step, v));
 	p->body[i].w = locks & 4 ? 0.0f : flush_tiny(within(turn * rate, p->step.max_spin));
+	if (p->step.sleep) // the body's groups may rest since steps with dt 0, which keep its target
+		active_touch_body(p, i);
 }
 
 // Moves a body to a pose, except along its locks, and sets its velocity to 0.
