@@ -307,6 +307,39 @@ static void one_surface_changes(void** state)
 	scree_world_destroy(world);
 }
 
+// Queries find a body at its place after its surface has changed, and another shape has the slot of its old attribute.
+static void queries_find_changed_surfaces(void** state)
+{
+	(void)state;
+	for (int type = SCREE_BODY_STATIC; type <= SCREE_BODY_DYNAMIC; ++type)
+		for (int disabled = 0; disabled < 2; ++disabled)
+		{
+			scree_world* world = open_test_world(0.0f);
+			scree_body wall;
+			scree_query_result found;
+			OK(scree_body_create_box(world, (scree_body_type)type, upright_at(0.0f, 5.0f), 0.5f, 6.0f, 0, &wall));
+			scree_attribute before = attribute_of(world, wall);
+			run_steps(world, 60); // a dynamic body falls asleep
+			OK(scree_world_cast_ray(world, (scree_vec){-30.0f, 1.0f}, (scree_vec){60.0f, 0.0f}, &found));
+			NEAR(found.point.x, -0.5, 1e-4);
+			OK(scree_body_set_enabled(world, wall, !disabled));
+			scree_surface smooth = surface_with(0.1f);
+			OK(scree_collidable_set_surface(world, collidable_of(world, wall), &smooth));
+			scree_body disc;
+			OK(scree_body_create_circle(world, SCREE_BODY_DYNAMIC, upright_at(100.0f, 0.0f), 0.1f, 0, &disc));
+			assert_int_equal(attribute_of(world, disc).index, before.index);
+			OK(scree_body_set_enabled(world, wall, true));
+			for (int step = 0; step < 2; ++step)
+			{
+				OK(scree_world_cast_ray(world, (scree_vec){-30.0f, 1.0f}, (scree_vec){60.0f, 0.0f}, &found));
+				assert_true(scree_collidable_equals(found.collidable, collidable_of(world, wall)));
+				NEAR(found.point.x, -0.5, 1e-4);
+				run_steps(world, 1);
+			}
+			scree_world_destroy(world);
+		}
+}
+
 static void bad_surfaces_are_refused(void** state)
 {
 	(void)state;
@@ -396,6 +429,7 @@ int main(void)
 	    cmocka_unit_test(bad_shapes_are_refused),
 	    cmocka_unit_test(lack_of_memory_creates_nothing),
 	    cmocka_unit_test(one_surface_changes),
+	    cmocka_unit_test(queries_find_changed_surfaces),
 	    cmocka_unit_test(bad_surfaces_are_refused),
 	    cmocka_unit_test(copies_keep_ownership),
 	};

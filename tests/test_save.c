@@ -115,6 +115,35 @@ static void structure_comes_back(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// A setting of a joint between two static bodies has no effect, but comes back, because one of them may become dynamic.
+static void settings_without_effect_come_back(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_body_def def = crate_def(world, SCREE_BODY_STATIC, 0.0f, 0.0f);
+	scree_body bodies[2];
+	OK(scree_body_create(world, &def, bodies));
+	def.pose.position.x = 2.0f;
+	OK(scree_body_create(world, &def, bodies + 1));
+	scree_joint_def hinge = joint_def_at(world, SCREE_JOINT_REVOLUTE, bodies[0], bodies[1], 1.0f, 0.0f, 0.0f);
+	hinge.collide_connected = true;
+	scree_joint joint = add_joint(world, &hinge);
+	OK(scree_world_save(world, 0));
+	OK(scree_joint_set_enabled(world, joint, false));
+	OK(scree_world_save(world, 1));
+	Saved disabled = save(world);
+	OK(scree_joint_set_enabled(world, joint, true));
+	run_steps(world, 1);
+	OK(scree_world_load(world, 1));
+	assert_false(scree_joint_is_enabled(world, joint));
+	assert_snapshot(world, disabled);
+	OK(scree_world_load(world, 0));
+	assert_true(scree_joint_is_enabled(world, joint));
+	free(disabled.bytes);
+	scree_world_destroy(world);
+	assert_int_equal(scree_memory(), 0);
+}
+
 // A path that is destroyed between two saves does not come back with the second one.
 static void paths_end_between_saves(void** state)
 {
@@ -296,6 +325,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(scenes_roll_back),
 	    cmocka_unit_test(structure_comes_back),
+	    cmocka_unit_test(settings_without_effect_come_back),
 	    cmocka_unit_test(paths_end_between_saves),
 	    cmocka_unit_test(saves_are_small),
 	    cmocka_unit_test(bad_numbers_are_refused),

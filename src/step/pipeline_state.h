@@ -25,7 +25,7 @@ typedef struct // state of the host for one tree of the broad phase; see tree_ma
 	int churned;      // number of consecutive steps in which boxes jumped so far that the leaves were sorted
 	bool ordered;     // the current step sorts the leaves because boxes are expected to jump
 	TreeChange change;
-	bool seen; // the boxes for queries match the current poses
+	bool seen; // the rows and boxes for queries match the current poses and attributes
 	// Pipeline.steps plus 1 when the boxes for queries were last computed; 0 if the leaves have changed since
 	int64_t boxed;
 	int appended; // number of leaves appended since the leaves were last sorted

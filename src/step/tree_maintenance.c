@@ -150,6 +150,8 @@ void tree_withdraw(Pipeline* pipeline, int collidable)
 
 void tree_touch(Pipeline* pipeline, int t) { move(&pipeline->trees[t]); }
 
+void tree_forget(Pipeline* pipeline, int t) { pipeline->trees[t].seen = false; }
+
 void tree_leave(Pipeline* pipeline, int t, int collidable)
 {
 	TreeState* state = &pipeline->trees[t];

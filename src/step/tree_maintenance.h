@@ -14,6 +14,8 @@ scree_status tree_insert(Pipeline* pipeline, int t, int collidable);
 void tree_withdraw(Pipeline* pipeline, int collidable);
 // Lets the next step and the next query compute all boxes of tree t again.
 void tree_touch(Pipeline* pipeline, int t);
+// Lets the next query write the rows of tree t again, which name the attributes of collidables. Boxes of the step stay.
+void tree_forget(Pipeline* pipeline, int t);
 // Removes a collidable from tree t. The collidable was destroyed, or moved to the other tree.
 void tree_leave(Pipeline* pipeline, int t, int collidable);
 // Reserves the host's memory for a number of collidables.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // surface.c -- reads and replaces the attribute of a collidable, or the surface of its attribute.
 #include "platform/processor.h"
+#include "step/tree_maintenance.h"
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -74,6 +75,8 @@ static scree_status change_attribute(scree_world* world, const char* function, i
 	{
 		edits_command(world, COMMAND_ATTRIBUTE, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), now);
 		world->pipeline.surfaces_changed = true;
+		if (collidable_kind(world, index) != KIND_DEAD)
+			tree_forget(&world->pipeline, tree_of_kind(collidable_kind(world, index)));
 	}
 	else
 	{

@@ -7,6 +7,7 @@
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
 #include "world/record/api_calls.h"
+#include "world/structure.h"
 #include "world/upload/upload.h"
 #include <stddef.h>
 #include <string.h>
@@ -58,8 +59,8 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 	{
 		int index = (int)change->joints[k].index - 1;
 		scree_joint_def* def = &world->host_joints[index].def;
+		const scree_joint_def old = *def;
 		const JointEdit before = joint_edit(world, index);
-		bool disabled = def->disabled;
 		set(change, value, values, k, def);
 		const JointEdit after = joint_edit(world, index);
 		bool same = before.flags == after.flags && memcmp(&before.data, &after.data, sizeof after.data) == 0;
@@ -70,9 +71,11 @@ static scree_status change_all(const Change* change, const void* values, Setter 
 		world->chains_stale |= change->moves && !same; // branches depend on the arms of hubs
 		if (change->moves)
 			joint_anchors(world, index);
-		// a value that is set again, for instance in each step, wakes nothing and is not uploaded
+		// a value that is set again, for instance in each step, wakes nothing and is not uploaded; nor is one without effect
 		if (!same)
-			joint_changed(world, index, def->disabled != disabled);
+			joint_changed(world, index, def->disabled != old.disabled);
+		else if (memcmp(&old, def, sizeof old) != 0)
+			structure_changed(world);
 	}
 	return SCREE_OK;
 }
