@@ -144,6 +144,59 @@ static void settings_without_effect_come_back(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// Returns the number of bodies in the list of moved bodies, whose poses are those of the world.
+static int moved_in(scree_world* world)
+{
+	scree_moved_bodies list;
+	scree_pose pose;
+	OK(scree_world_get_moved_bodies(world, &list));
+	for (int k = 0; k < list.count; ++k)
+	{
+		OK(scree_body_get_pose(world, list.bodies[k].body, &pose));
+		assert_memory_equal(&pose, &list.bodies[k].pose, sizeof pose);
+	}
+	return list.count;
+}
+
+// After a load or a restore, the list of moved bodies has those whose poses differ from the last list, whatever was read before
+// the save; in a world of a snapshot it has all bodies.
+static void moved_bodies_are_those_since_the_last_list(void** state)
+{
+	(void)state;
+	for (int device = 0; device < 2 && (device == 0 || second_device[0]); ++device)
+		for (int restores = 0; restores < 2; ++restores)
+		{
+			scree_world *world = open_world_on(device ? second_device : "cpu", 2, 0.0f), *clone;
+			scree_body bodies[3];
+			for (int k = 0; k < 3; ++k)
+				OK(scree_body_create_box(world, SCREE_BODY_DYNAMIC, upright_at(3.0f * (float)k, 0.0f), 0.5f, 0.5f, 0,
+				                         bodies + k));
+			assert_int_equal(moved_in(world), 3);
+			OK(scree_world_save(world, 0));
+			Saved before = save(world);
+			OK(scree_body_set_pose(world, bodies[0], upright_at(0.0f, 5.0f)));
+			if (restores)
+				OK(scree_body_destroy(world, bodies[2])); // its slot has another body, in the same place
+			if (restores)
+				OK(scree_body_create_box(world, SCREE_BODY_DYNAMIC, upright_at(6.0f, 0.0f), 0.5f, 0.5f, 0, NULL));
+			assert_int_equal(moved_in(world), 1 + restores);
+			for (int turn = 0; turn < 2; ++turn)
+			{
+				if (restores && turn == 0)
+					OK(scree_world_restore(world, before.bytes, before.size));
+				else
+					OK(scree_world_load(world, 0));
+				assert_int_equal(moved_in(world), turn == 0 ? 1 + restores : 0);
+			}
+			OK(scree_world_clone(world, NULL, &clone));
+			assert_int_equal(moved_in(clone), 3);
+			scree_world_destroy(clone);
+			free(before.bytes);
+			scree_world_destroy(world);
+		}
+	assert_int_equal(scree_memory(), 0);
+}
+
 // A path that is destroyed between two saves does not come back with the second one.
 static void paths_end_between_saves(void** state)
 {
@@ -326,6 +379,7 @@ int main(void)
 	    cmocka_unit_test(scenes_roll_back),
 	    cmocka_unit_test(structure_comes_back),
 	    cmocka_unit_test(settings_without_effect_come_back),
+	    cmocka_unit_test(moved_bodies_are_those_since_the_last_list),
 	    cmocka_unit_test(paths_end_between_saves),
 	    cmocka_unit_test(saves_are_small),
 	    cmocka_unit_test(bad_numbers_are_refused),

@@ -1876,7 +1876,8 @@ typedef struct scree_moved_bodies
 // A body has moved if any component of its pose (scree_body_get_pose) differs at all from that at the last call, even
 // by a rounding error, which may occur in each step for a body at rest under a load. A body that is back at its earlier
 // pose has not moved. A new center of mass, type or velocity does not count. A body that fell asleep and woke between
-// two calls is not listed for that.
+// two calls is not listed for that. After scree_world_load and scree_world_restore the poses also differ from those at the
+// last call; the first call with a world of scree_world_create_from or scree_world_clone lists all bodies.
 //
 // The array belongs to the world; it is valid until the next call of this function, or until the world is destroyed.
 // The device gathers the list, and only the list is transferred.

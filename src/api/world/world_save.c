@@ -30,7 +30,7 @@ scree_status api_world_load(scree_world* world, int save)
 {
 	FLOAT_MODE_HERE;
 	TRY(check_number(world, "scree_world_load", save));
-	return world_load(world, "scree_world_load", save);
+	return world_load(world, "scree_world_load", save, false);
 }
 
 scree_status api_world_discard(scree_world* world, int save)

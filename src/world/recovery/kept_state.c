@@ -104,7 +104,7 @@ scree_status kept_state_bring(const KeptState* kept, const char* function, scree
 	TRY(pipeline_reserve(&made->pipeline, PER_SAVED, kept->items));
 	TRY(b->f->write(b, POOL_saved, 0, kept->items, kept->copy));
 	structure_changed(made); // no save has the structure of a new world
-	TRY(world_load(made, function, kept->save));
+	TRY(world_load(made, function, kept->save, true));
 	// steps lay chains and branches out, so a shared copy of the structure may lack them
 	TRY(pipeline_reserve(&made->pipeline, PER_CHAIN, made->pipeline.chain_ranges));
 	return pipeline_reserve(&made->pipeline, PER_BRANCH, made->pipeline.branch_nodes);

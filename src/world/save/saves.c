@@ -7,6 +7,7 @@
 #include "step/tree_maintenance.h"
 #include "world/failure.h"
 #include "world/objects/reports.h"
+#include "world/save/reported.h"
 #include "world/save/saved_host.h"
 #include "world/save/saved_pools.h"
 #include "world/upload/upload.h"
@@ -168,7 +169,17 @@ scree_status world_save(scree_world* world, const char* function, int number)
 	return status;
 }
 
-static scree_status load_all(scree_world* world, const Save* save, HostLoad* host)
+// Reserves memory for what the user has read, and copies it.
+static scree_status hide_reported(scree_world* world, const HostLoad* host, Reported* reported)
+{
+	SavedRange range = {0, 0};
+	TRY(find_range(world, host->function, reported_items(world), &range));
+	reported->at = range.first;
+	return world_note(world, reported_take(world, host->function, host->same, reported));
+}
+
+// reported: null if the save also contains what the user has read.
+static scree_status load_all(scree_world* world, const Save* save, HostLoad* host, Reported* reported)
 {
 	const SavedStructure* structure = world->saves.list->structures + save->structure;
 	Backend* b = world->backend;
@@ -176,6 +187,9 @@ static scree_status load_all(scree_world* world, const Save* save, HostLoad* hos
 	TRY(world_note(world, saved_pools_reserve(world, save->counts)));
 	if (!host->same)
 		TRY(world_note(world, saved_pools_reserve(world, structure->counts)));
+	reported = reported && reported_items(world) > 0 ? reported : NULL;
+	if (reported)
+		TRY(hide_reported(world, host, reported));
 	scree_status status = SCREE_OK;
 	if (!host->same) // first, because the values of other items follow from it
 		status = saved_pools_copy(world, true, structure->range, structure->counts, NULL, true);
@@ -188,17 +202,20 @@ static scree_status load_all(scree_world* world, const Save* save, HostLoad* hos
 	if (status == SCREE_OK)
 	{
 		saved_host_read(host);
+		if (reported)
+			status = reported_return(world, reported);
 		world->saves.version = structure->version;
 		pipeline_move(&world->pipeline, b);
 		Counters counters; // this read also stores the counters in the backend, and reports failed copies
-		status = b->f->read(b, POOL_counters, 0, 1, &counters);
+		if (status == SCREE_OK)
+			status = b->f->read(b, POOL_counters, 0, 1, &counters);
 	}
 	if (status != SCREE_OK)
 		world->broken = status;
 	return status;
 }
 
-scree_status world_load(scree_world* world, const char* function, int number)
+scree_status world_load(scree_world* world, const char* function, int number, bool reports)
 {
 	const SaveList* list = world->saves.list;
 	if (!list || !list->saves[number].made)
@@ -211,7 +228,9 @@ scree_status world_load(scree_world* world, const char* function, int number)
 	                 .structure = &structure->host,
 	                 .step = &save->host,
 	                 .same = structure->version == world->saves.version};
-	scree_status status = load_all(world, save, &host);
+	Reported reported = {0};
+	scree_status status = load_all(world, save, &host, reports ? NULL : &reported);
+	reported_close(&reported);
 	saved_host_close(&host);
 	return status;
 }

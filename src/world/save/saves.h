@@ -4,9 +4,9 @@
 #define SAVES_H
 #include "scree/scree.h"
 
-// Saves a world as save `number`, or loads this save.
+// Saves a world as save `number`, or loads this save. reports: true if the list of moved bodies goes back too.
 scree_status world_save(scree_world* world, const char* function, int number);
-scree_status world_load(scree_world* world, const char* function, int number);
+scree_status world_load(scree_world* world, const char* function, int number, bool reports);
 
 // Returns the bytes of device memory that a save has, without those of its structure; 0 if it was not made.
 uint64_t world_save_bytes(const scree_world* world, int number);

@@ -10,11 +10,13 @@
 #include "world/failure.h"
 #include "world/objects/attributes.h"
 #include "world/objects/collidables.h"
+#include "world/save/reported.h"
 #include "world/snapshot/host_check.h"
 #include "world/snapshot/host_lists.h"
 #include "world/snapshot/pool_check.h"
 #include "world/snapshot/pool_columns.h"
 #include "world/structure.h"
+#include "world/upload/upload.h"
 #include <limits.h>
 #include <string.h>
 
@@ -220,6 +222,8 @@ static scree_status restore(Restore* r, scree_world* world, const void* bytes, s
 			            "%s: the world shares memory in metres, and the length_unit of the snapshot is %g",
 			            r->index.function, (double)unit);
 #endif
+	TRY(world_upload(world)); // so that the slots of bodies are those of the device
+	TRY(world_note(world, reported_keep(world, r->made, r->pools[POOL_reported_pose], r->pools[POOL_reported_sleep])));
 	TRY(world_note(world, reserve(r, world)));
 	scree_status status = write_device(r, world->backend);
 	if (status == SCREE_OK)
