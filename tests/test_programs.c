@@ -114,7 +114,7 @@ static const Saved saved[] = {
     {"fast_body", true},     {"infinite_drag", true},      {"far_anchor", true},       {"heavy_link", true},
     {"branch_pivot", true},  {"tiny_gap", true},           {"tiny_share", true},       {"moved_anchor", false},
     {"woken_gap", false},    {"destroyed_sleeper", false}, {"pressed_sleeper", false}, {"joined_sleepers", false},
-    {"moved_frames", false}, {"one_way_sleepers", false},  {"sleep_lengths", false},
+    {"moved_frames", false}, {"one_way_sleepers", false},  {"sleep_lengths", false},   {"tiny_threshold", true},
 };
 
 // Runs saved programs with several choices of reads, or with flushed denormals.

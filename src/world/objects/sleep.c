@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 // sleep.c -- computes thresholds of sleep, and records commands that wake bodies.
 #include "world/objects/sleep.h"
+#include "dialect/finite.h"
 #include "world/edits.h"
 
 float body_sleep_threshold(const HostBody* host)
 {
-	return host->stays_awake ? -1.0f : host->sleep_threshold + 0.0f; // the sum with 0 turns -0 into 0
+	float own = host->sleep_threshold;
+	if (host->stays_awake)
+		return -1.0f;
+	return own > 0.0f ? maximum(own, TINY)
+	                  : 0.0f; // devices may take a denormal for 0, which is the threshold of the world
 }
 
 void body_note_wake(scree_world* world, int index)
