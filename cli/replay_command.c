@@ -22,7 +22,7 @@ static int side_open(const Options* options, const FileBytes* file, const char* 
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	def.threads = first ? options->threads : 0;
 	def.lanes = first ? options->lanes : 0;
-	int code = report(scree_replay_open(file->bytes, file->size, &side->replay));
+	int code = report_file(options->arguments[0], scree_replay_open(file->bytes, file->size, &side->replay));
 	return code == EXIT_GOOD ? report(scree_replay_create_world(side->replay, &def, &side->world)) : code;
 }
 
@@ -87,7 +87,7 @@ static int repeat(Side sides[2], int count)
 	return code == EXIT_GOOD && (sides[0].differs || sides[1].differs) ? EXIT_FAILED : code;
 }
 
-static void print_replay(const Options* options, const Side sides[2], int count)
+static void print_replay(const Options* options, const FileBytes* file, const Side sides[2], int count)
 {
 	scree_replay_info info = {0};
 	uint64_t hash = 0;
@@ -97,6 +97,8 @@ static void print_replay(const Options* options, const Side sides[2], int count)
 	printf("version        %s\n", info.version);
 	if (!info.ended)
 		printf("end            missing after %zu bytes\n", info.read);
+	else if (info.read < file->size)
+		printf("end            after %zu of %zu bytes; the rest is not read\n", info.read, file->size);
 	printf("device         %s\n", scree_world_get_device(sides[0].world));
 	if (count == 2)
 		printf("against        %s\n", scree_world_get_device(sides[1].world));
@@ -118,7 +120,7 @@ int replay_command(const Options* options)
 	if (code == EXIT_GOOD)
 		code = repeat(sides, count);
 	if (code == EXIT_GOOD)
-		print_replay(options, sides, count);
+		print_replay(options, &file, sides, count);
 	side_close(sides);
 	side_close(sides + 1);
 	free(file.bytes);

@@ -14,7 +14,7 @@ static int load(const Options* options, ScenePlayer* player)
 	int code = file_read(options, options->load, &file);
 	if (code != EXIT_GOOD)
 		return code;
-	code = report(player_load(player, file.bytes, file.size, NULL, 0));
+	code = report_file(options->load, player_load(player, file.bytes, file.size, NULL, 0));
 	free(file.bytes);
 	return code;
 }

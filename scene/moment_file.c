@@ -28,7 +28,7 @@ scree_status moment_write(scree_world* world, const FilePart* parts, int count, 
 scree_status moment_read(const void* bytes, size_t size, FilePart* parts, int count)
 {
 	ChunkIndex index;
-	scree_status status = chunks_open(&index, "the file", bytes, size);
+	scree_status status = chunks_open(&index, "scree_world_restore", bytes, size);
 	for (int k = 0; k < count && status == SCREE_OK; ++k)
 	{
 		const Chunk* chunk = chunk_find(&index, parts[k].name);

@@ -152,8 +152,9 @@ refuse 2 'late.snap: No such file' diff early.snap nowhere/late.snap
 [ $? = 1 ] || fail "diff: another exit code than 1"
 grep -qE '^pipeline.steps  +1 of 1 differ; item 0: 0{14}14 \| 0{14}1e$' out || fail "diff: no steps"
 grep -qE '^pool.pose\+4 y  +[0-9]+ of [0-9]+ differ; item [0-9]+: [0-9a-f]{8} \(.*\) \| [0-9a-f]{8} \(' out || fail "diff: no poses"
-refuse 2 'are not a snapshot' diff early.snap rows.csv
-refuse 2 'are not a snapshot' run "${churn[@]}" --load rows.csv
+refuse 2 'rows.csv: scree_' diff early.snap rows.csv
+refuse 2 'rows.csv: scree_' diff rows.csv early.snap
+refuse 2 'rows.csv: scree_' run "${churn[@]}" --load rows.csv
 refuse 2 'cannot read nowhere.snap: No such file' run "${churn[@]}" --load nowhere.snap
 expect 0 'steps          10 in' run pyramid --device cpu --steps 10 --set rows=8 --write-scene tower.json
 expect 0 'steps          5 in' run tower.json --device cpu --steps 5 --write-scene tower.json
@@ -176,11 +177,13 @@ grep -qx "hash           $hash30" out || fail "replay: another hash"
 expect 0 'against        cpu' replay churn.rec --device cpu --lanes 1 --against cpu
 head -c "$(($(wc -c <churn.rec) - 30))" churn.rec >cut.rec
 expect 0 'end            missing after' replay cut.rec --device cpu
+cat churn.rec churn.rec >twice.rec
+expect 0 'bytes; the rest is not read' replay twice.rec --device cpu
 expect 0 "$hash30" run "${churn[@]}" --steps 10 --load early.snap --record late.rec --hash-interval 0
 expect 0 'hashes         1, all equal' replay late.rec --device cpu
 refuse 2 'a file is missing; the command takes one file' replay
 refuse 2 'a file is missing; the command takes two files' diff early.snap
-refuse 2 'are not a recording' replay early.snap --device cpu
+refuse 2 'early.snap: scree_replay_open: these' replay early.snap --device cpu
 refuse 2 'cannot read nowhere.rec' replay nowhere.rec
 refuse 1 'def.path is "nowhere/x.rec", which cannot be opened: No such file' run "${churn[@]}" --steps 2 --record nowhere/x.rec
 refuse 2 '--hash-interval has no effect: there is no --record' run "${churn[@]}" --hash-interval 3
