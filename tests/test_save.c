@@ -144,6 +144,29 @@ static void settings_without_effect_come_back(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// A velocity that a body of any type gets after a save leaves no trace in a snapshot after the load.
+static void velocities_leave_no_trace(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(0.0f);
+	scree_body bodies[3];
+	for (int k = 0; k < 3; ++k)
+		OK(scree_body_create_box(world, (scree_body_type)k, upright_at(3.0f * (float)k, 0.0f), 0.5f, 0.5f, 0,
+		                         bodies + k));
+	run_steps(world, 3);
+	OK(scree_world_save(world, 0));
+	Saved before = save(world);
+	for (int k = 0; k < 3; ++k)
+		OK(scree_body_set_linear_velocity(world, bodies[k], (scree_vec){1.0f, 2.0f}));
+	for (int k = 0; k < 3; ++k)
+		OK(scree_body_set_angular_velocity(world, bodies[k], 1.0f));
+	OK(scree_world_load(world, 0));
+	assert_snapshot(world, before);
+	free(before.bytes);
+	scree_world_destroy(world);
+	assert_int_equal(scree_memory(), 0);
+}
+
 // Returns the number of bodies in the list of moved bodies, whose poses are those of the world.
 static int moved_in(scree_world* world)
 {
@@ -379,6 +402,7 @@ int main(void)
 	    cmocka_unit_test(scenes_roll_back),
 	    cmocka_unit_test(structure_comes_back),
 	    cmocka_unit_test(settings_without_effect_come_back),
+	    cmocka_unit_test(velocities_leave_no_trace),
 	    cmocka_unit_test(moved_bodies_are_those_since_the_last_list),
 	    cmocka_unit_test(paths_end_between_saves),
 	    cmocka_unit_test(saves_are_small),

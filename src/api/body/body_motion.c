@@ -71,6 +71,14 @@ static scree_status value_at(const Call* call, const Values* values, int k, Floa
 	return status;
 }
 
+// Only the members of kinematic bodies are a part of each save.
+static void note_velocity(scree_world* world, int index)
+{
+	HostBody* host = world->host_bodies + index;
+	target_drop(world, index);
+	host->still &= host->type != SCREE_BODY_KINEMATIC;
+}
+
 static void send(scree_world* world, int kind, int index, Float4 value)
 {
 	const HostBody* host = world->host_bodies + index;
@@ -78,14 +86,12 @@ static void send(scree_world* world, int kind, int index, Float4 value)
 	{
 		scree_velocity v = body_velocity_allowed(host, (scree_velocity){{value.x, value.y}, value.z});
 		value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f);
-		target_drop(world, index);
-		world->host_bodies[index].still = false;
+		note_velocity(world, index);
 	}
 	else if (kind == COMMAND_SPIN)
 	{
 		value.x = body_velocity_allowed(host, (scree_velocity){.angular = value.x}).angular;
-		target_drop(world, index);
-		world->host_bodies[index].still = false;
+		note_velocity(world, index);
 	}
 	else if (kind == COMMAND_POSE)
 	{
