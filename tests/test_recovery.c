@@ -160,6 +160,43 @@ static scree_moved_bodies moved_of(scree_world* world)
 	return list;
 }
 
+// A read may be the call that meets the failure. It is repeated on the CPU, where reads of several threads run in parallel.
+static void reads_meet_the_failure(void** state)
+{
+	(void)state;
+	for (int read = 0; read < 4; ++read)
+	{
+		Pair opened = open_pair(10), *pair = &opened;
+		steps_of(pair, 14);
+		BOTH(scree_body_apply_impulse(world, pair->body, (scree_vec){1.0f, 2.0f}));
+		fake_gpu_falls();
+		scree_pose poses[2];
+		scree_velocity velocities[2];
+		scree_query_result found[2];
+		scree_query_results list;
+		int counts[2];
+		for (int k = 0; k < 2; ++k)
+		{
+			scree_world* world = k == 0 ? pair->world : pair->twin;
+			if (read == 0)
+				OK(scree_body_get_pose(world, pair->body, poses + k));
+			else if (read == 1)
+				OK(scree_body_get_velocity(world, pair->body, velocities + k));
+			else if (read == 2)
+				OK(scree_world_cast_ray(world, (scree_vec){0.0f, 20.0f}, (scree_vec){0.0f, -40.0f}, found + k));
+			else
+				OK(scree_world_overlap_box(world, (scree_box){{-9.0f, -9.0f}, {9.0f, 9.0f}}, &list));
+			counts[k] = read == 3 ? list.count : 0;
+		}
+		assert_true(read != 0 || memcmp(poses, poses + 1, sizeof *poses) == 0);
+		assert_true(read != 1 || memcmp(velocities, velocities + 1, sizeof *velocities) == 0);
+		assert_true(read != 2 || memcmp(found, found + 1, sizeof *found) == 0);
+		assert_int_equal(counts[0], counts[1]);
+		steps_of(pair, 3);
+		close_pair(pair);
+	}
+}
+
 // Lists that calls returned stay as they were, and new lists are those of the twin.
 static void lists_stay(void** state)
 {
@@ -294,10 +331,11 @@ static void setting_is_named(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(saves_survive),      cmocka_unit_test(failures_during_saves),
-	    cmocka_unit_test(recordings_go_on),   cmocka_unit_test(lists_stay),
-	    cmocka_unit_test(devices_fail_again), cmocka_unit_test(memory_runs_out),
-	    cmocka_unit_test(states_need_memory), cmocka_unit_test(setting_is_named),
+	    cmocka_unit_test(saves_survive),    cmocka_unit_test(failures_during_saves),
+	    cmocka_unit_test(recordings_go_on), cmocka_unit_test(reads_meet_the_failure),
+	    cmocka_unit_test(lists_stay),       cmocka_unit_test(devices_fail_again),
+	    cmocka_unit_test(memory_runs_out),  cmocka_unit_test(states_need_memory),
+	    cmocka_unit_test(setting_is_named),
 	};
 	return cmocka_run_group_tests(tests, keep_log, release_log);
 }

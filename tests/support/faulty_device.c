@@ -81,6 +81,7 @@ BackendFunctions distant_functions(Backend* cpu)
 	BackendFunctions f = *real_functions;
 	f.address = NULL;
 	f.spare = NULL;
+	f.search = NULL; // several threads read the world one after another
 	return f;
 }
 

@@ -123,15 +123,16 @@ void readers_unlock(scree_world* world, bool locked)
 	mutex_unlock(&world->readers->lock);
 }
 
-// Returns whether other threads may read the world during this call. In a build for WebAssembly no call marks itself as alone
-// (api_calls.h).
+// Returns whether other threads may read the world during this call. A call that holds the lock began on a device that has failed
+// since, and is repeated on the CPU. In a build for WebAssembly no call marks itself as alone (api_calls.h).
 static bool shares(const scree_world* world)
 {
 #ifdef SCREE_SMALL
 	(void)world;
 	return false;
 #else
-	return readers_parallel(world) && !world->readers->alone;
+	const Readers* readers = world->readers;
+	return readers_parallel(world) && !readers->alone && atomic_load(&readers->holder) != &this_thread;
 #endif
 }
 
