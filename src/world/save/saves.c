@@ -7,9 +7,9 @@
 #include "step/tree_maintenance.h"
 #include "world/failure.h"
 #include "world/objects/reports.h"
-#include "world/save/reported.h"
 #include "world/save/saved_host.h"
 #include "world/save/saved_pools.h"
+#include "world/snapshot/reported.h"
 #include "world/upload/upload.h"
 #include <string.h>
 

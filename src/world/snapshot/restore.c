@@ -10,11 +10,11 @@
 #include "world/failure.h"
 #include "world/objects/attributes.h"
 #include "world/objects/collidables.h"
-#include "world/save/reported.h"
 #include "world/snapshot/host_check.h"
 #include "world/snapshot/host_lists.h"
 #include "world/snapshot/pool_check.h"
 #include "world/snapshot/pool_columns.h"
+#include "world/snapshot/reported.h"
 #include "world/structure.h"
 #include "world/upload/upload.h"
 #include <limits.h>

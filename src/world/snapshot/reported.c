@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // reported.c -- keeps the poses that the user has read last while a world goes back to another state.
-#include "world/save/reported.h"
+#include "world/snapshot/reported.h"
 #include "platform/error.h"
 #include "world/device/lasting.h"
 #include <string.h>

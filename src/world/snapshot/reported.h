@@ -5,9 +5,9 @@
 #define REPORTED_H
 #include "world/world.h"
 
-typedef struct // what the user has read of a world that is being loaded
+typedef struct // copy of the poses that the user has read, during a load
 {
-	uint32_t* generation; // of each body; null if the load changes none
+	uint32_t* generation; // generations of the bodies; null if the load changes none
 	int bodies, used;     // numbers of items in the pools, and of slots
 	int at;               // first item of the copy in the pool `saved`
 	float unit;           // length_unit
