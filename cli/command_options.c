@@ -3,6 +3,7 @@
 #include "command_options.h"
 #include "cli/common/option_values.h"
 #include "tools/common/recording_file.h"
+#include <stdio.h>
 #include <string.h>
 
 #define SCENE_WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | QUERIES) // commands that create worlds of scenes
@@ -150,6 +151,28 @@ static const OptionRow rows[] = {
 #define ROW_COUNT (int)(sizeof rows / sizeof rows[0])
 _Static_assert(ROW_COUNT <= MAX_OPTIONS, "one bit of an uint64_t per option");
 
+// Returns whether all files that a command writes have different paths, apart from devices such as /dev/null. If not, prints
+// an error message.
+static bool paths_differ(const Options* options)
+{
+	const struct
+	{
+		const Option* option;
+		const char* path;
+	} files[] = {
+	    {&option_picture, options->picture}, {&option_video, options->video}, {&option_csv, options->csv},
+	    {&record, options->record},          {&save, options->save},          {&write_scene, options->write_scene}};
+	for (size_t k = 1; k < sizeof files / sizeof *files; ++k)
+		for (size_t n = 0; files[k].path && strncmp(files[k].path, "/dev/", 5) != 0 && n < k; ++n)
+			if (files[n].path && strcmp(files[n].path, files[k].path) == 0)
+			{
+				fprintf(stderr, "%s %s: --%s and --%s name the same file: %s\n", program_name, options->name,
+				        files[n].option->name, files[k].option->name, files[k].path);
+				return false;
+			}
+	return true;
+}
+
 static bool have_effect(const OptionTable* table, const Options* options, uint64_t given)
 {
 	bool other = options->command == VALIDATE || options->command == VIEW;
@@ -169,7 +192,9 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 	if (options->command == VALIDATE && options->names &&
 	    options_no_effect(table, options, given, "dtluq", "--names runs nothing"))
 		return false;
-	return !options->whole || !options_no_effect(table, options, given, "k", "--whole compares no hashes");
+	if (options->whole && options_no_effect(table, options, given, "k", "--whole compares no hashes"))
+		return false;
+	return paths_differ(options);
 }
 
 const OptionTable command_options = {rows, ROW_COUNT, have_effect};

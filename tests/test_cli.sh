@@ -43,7 +43,7 @@ refuse 2 'takes no --sleep' validate --sleep on
 refuse 2 '--size 10: must be WxH' run pile --size 10
 refuse 2 '--picture a.jpg: must end in .png' run pile --picture a.jpg
 refuse 2 '--video a.txt: must end in .mp4' run pile --video a.txt
-refuse 2 '--csv a.png: the picture has the same path' run pile --picture a.png --csv a.png
+refuse 2 '--picture and --csv name the same file: a.png' run pile --picture a.png --csv a.png
 refuse 2 'unexpected argument "x"; the command takes no arguments' scenes x
 refuse 2 'cannot read .: Is a directory' bench pile --known .
 expect 0 'print this text' help --help
@@ -155,12 +155,15 @@ grep -qE '^pool.pose\+4 y  +[0-9]+ of [0-9]+ differ; item [0-9]+: [0-9a-f]{8} \(
 refuse 2 'rows.csv: scree_' diff early.snap rows.csv
 refuse 2 'rows.csv: scree_' diff rows.csv early.snap
 refuse 2 'rows.csv: scree_' run "${churn[@]}" --load rows.csv
+refuse 2 'cannot read /dev/zero: Invalid argument' diff early.snap /dev/zero
 refuse 2 'cannot read nowhere.snap: No such file' run "${churn[@]}" --load nowhere.snap
 expect 0 'steps          10 in' run pyramid --device cpu --steps 10 --set rows=8 --write-scene tower.json
 expect 0 'steps          5 in' run tower.json --device cpu --steps 5 --write-scene tower.json
 grep -q '"name": "tower"' tower.json || fail "--write-scene: the name is not that of the file"
 refuse 1 'nowhere/x.json: cannot be written: No such file or directory' run pyramid --device cpu --set rows=3 --steps 2 --write-scene nowhere/x.json
 refuse 1 'cannot write nowhere/x.snap' run "${churn[@]}" --steps 2 --save nowhere/x.snap
+refuse 2 'run: --record and --save name the same file: one.rec' run "${churn[@]}" --steps 2 --save one.rec --record one.rec
+[ ! -e one.rec ] || fail "--record and --save: a file is written after all"
 
 # characters, which are beside the world, are in the file too
 walk=$("$scree" hash platformer --device cpu --steps 300)

@@ -59,15 +59,6 @@ int outputs_open(Outputs* outputs, const ScenePlayer* player, const char* const*
 	}
 	if (outputs->renderer && !picture_renderer_set_world(outputs->renderer, player))
 		return EXIT_FAILED;
-	const char* const images[] = {options->picture, options->video};
-	for (int k = 0; k < 2; ++k)
-	{
-		if (!options->csv || !images[k] || strcmp(images[k], options->csv) != 0)
-			continue;
-		fprintf(stderr, "%s run: --csv %s: the %s has the same path\n", program_name, options->csv,
-		        k == 0 ? "picture" : "video");
-		return EXIT_BAD;
-	}
 	if (!open_file(&outputs->picture_file, options->picture) || !open_file(&outputs->csv, options->csv))
 		return EXIT_FAILED;
 	if (options->video && !video_open(&outputs->video, options->video, options->width, options->height))

@@ -29,13 +29,23 @@ static bool read_all(FILE* file, FileBytes* to)
 	}
 }
 
+// Returns whether a file is one that has an end. A device such as /dev/zero has none.
+static bool has_end(FILE* file)
+{
+	struct stat status;
+	if (fstat(fileno(file), &status) != 0 || !S_ISCHR(status.st_mode))
+		return true;
+	errno = EINVAL;
+	return false;
+}
+
 bool whole_file_read(const char* path, FileBytes* to)
 {
 	*to = (FileBytes){NULL, 0};
 	FILE* file = fopen(path, "rb");
 	if (!file)
 		return false;
-	bool good = read_all(file, to);
+	bool good = has_end(file) && read_all(file, to);
 	int error = errno;
 	fclose(file);
 	if (!good)

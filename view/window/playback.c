@@ -44,7 +44,7 @@ Scene* playback_open(Playback* playback, const char* path, char* sentence)
 		status = scree_replay_get_info(playback->replay, &playback->info);
 	if (status == SCREE_OK)
 		return make_scene(playback, path, sentence);
-	snprintf(sentence, SENTENCE, "%s", scree_error());
+	snprintf(sentence, SENTENCE, "%.200s: %s", path, scree_error());
 	return NULL;
 }
 
