@@ -155,6 +155,8 @@ grep -qE '^pool.pose\+4 y  +[0-9]+ of [0-9]+ differ; item [0-9]+: [0-9a-f]{8} \(
 refuse 2 'rows.csv: scree_' diff early.snap rows.csv
 refuse 2 'rows.csv: scree_' diff rows.csv early.snap
 refuse 2 'rows.csv: scree_' run "${churn[@]}" --load rows.csv
+refuse 2 'cannot read .: Is a directory' diff . early.snap
+refuse 2 'cannot read .: Is a directory' diff early.snap .
 refuse 2 'cannot read /dev/zero: Invalid argument' diff early.snap /dev/zero
 refuse 2 'cannot read nowhere.snap: No such file' run "${churn[@]}" --load nowhere.snap
 expect 0 'steps          10 in' run pyramid --device cpu --steps 10 --set rows=8 --write-scene tower.json

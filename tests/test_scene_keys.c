@@ -227,25 +227,9 @@ static void test_unknown_keys(void** state)
 // Returns the number that is stored in the member of a key.
 static double stored(const FormatKey* key, const char* made)
 {
-	const void* member = made + key->offset;
-	switch (key->store)
-	{
-	case STORE_FLOAT:
-		return (double)*(const float*)member;
-	case STORE_ROTATION:
-		return (double)scree_rot_get_angle(*(const scree_rot*)member);
-	case STORE_INT:
-		return *(const int*)member;
-	case STORE_INT64:
-		return (double)*(const int64_t*)member;
-	case STORE_UINT32:
-		return *(const uint32_t*)member;
-	case STORE_UINT64:
-		return (double)*(const uint64_t*)member;
-	case STORE_NONE:
+	if (key->store == STORE_NONE)
 		fail_msg("%s has no number", key->name);
-	}
-	return NAN;
+	return format_stored(made, key->offset, key->store);
 }
 
 // Calls format_read for an object that has one key and all mandatory keys.

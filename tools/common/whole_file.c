@@ -49,7 +49,10 @@ bool whole_file_read(const char* path, FileBytes* to)
 	int error = errno;
 	fclose(file);
 	if (!good)
+	{
 		free(to->bytes);
+		*to = (FileBytes){NULL, 0};
+	}
 	errno = error;
 	return good;
 }

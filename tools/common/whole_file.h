@@ -11,7 +11,7 @@ typedef struct
 	size_t size;
 } FileBytes;
 
-// Reads a file or a pipe until its end. The caller frees the bytes. On failure returns false; errno has the reason.
+// Reads a file or a pipe until its end. The caller frees the bytes. On failure returns false; errno has the reason, and *to is empty.
 bool whole_file_read(const char* path, FileBytes* to);
 
 // Writes a file. On failure returns false; errno has the reason.

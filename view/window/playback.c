@@ -36,7 +36,6 @@ Scene* playback_open(Playback* playback, const char* path, char* sentence)
 	if (!whole_file_read(path, &playback->file))
 	{
 		snprintf(sentence, SENTENCE, "cannot read %.400s: %s", path, strerror(errno));
-		playback->file = (FileBytes){0};
 		return NULL;
 	}
 	scree_status status = scree_replay_open(playback->file.bytes, playback->file.size, &playback->replay);
