@@ -108,13 +108,14 @@ typedef struct // program of the folder saved, and the difference of its second 
 } Saved;
 
 static const Saved saved[] = {
-    {"tiles_leave", false},  {"press_ends", false},        {"shape_of_a_lift", false}, {"gear_shifts", false},
-    {"joint_slot", false},   {"spring_share", true},       {"heavy_chain", true},      {"strong_drag", true},
-    {"slow_bounce", true},   {"heavy_joint", true},        {"tiny_report", true},      {"same_place", true},
-    {"fast_body", true},     {"infinite_drag", true},      {"far_anchor", true},       {"heavy_link", true},
-    {"branch_pivot", true},  {"tiny_gap", true},           {"tiny_share", true},       {"moved_anchor", false},
-    {"woken_gap", false},    {"destroyed_sleeper", false}, {"pressed_sleeper", false}, {"joined_sleepers", false},
-    {"moved_frames", false}, {"one_way_sleepers", false},  {"sleep_lengths", false},   {"tiny_threshold", true},
+    {"tiles_leave", false},   {"press_ends", false},        {"shape_of_a_lift", false}, {"gear_shifts", false},
+    {"joint_slot", false},    {"spring_share", true},       {"heavy_chain", true},      {"strong_drag", true},
+    {"slow_bounce", true},    {"heavy_joint", true},        {"tiny_report", true},      {"same_place", true},
+    {"fast_body", true},      {"infinite_drag", true},      {"far_anchor", true},       {"heavy_link", true},
+    {"branch_pivot", true},   {"tiny_gap", true},           {"tiny_share", true},       {"moved_anchor", false},
+    {"woken_gap", false},     {"destroyed_sleeper", false}, {"pressed_sleeper", false}, {"joined_sleepers", false},
+    {"moved_frames", false},  {"one_way_sleepers", false},  {"sleep_lengths", false},   {"tiny_threshold", true},
+    {"changed_shape", false},
 };
 
 // Runs saved programs with several choices of reads, or with flushed denormals.

@@ -85,9 +85,9 @@ static ContactReport contact_report_at(const scree_world* world, const Rows* row
 	Attribute shapes[2];
 	if (row.flags & MANIFOLD_ROLLS)
 	{
-		// the current shapes are those of the last step, because a collidable with a new shape has lost its contacts
-		attribute_item(world, world->host_collidables[pair.x].attribute, shapes);
-		attribute_item(world, world->host_collidables[pair.y].attribute, shapes + 1);
+		// a contact keeps the shapes of the last step until the next one, also if the user has given its collidable another
+		attribute_item(world, rows->placed[pair.x].attribute, shapes);
+		attribute_item(world, rows->placed[pair.y].attribute, shapes + 1);
 		a[6] = bits_float(0);
 		b[6] = bits_float(1);
 	}
