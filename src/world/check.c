@@ -152,3 +152,15 @@ scree_status check_reports(ArgumentPlace at, const char* member, uint32_t report
 	return refuse(SCREE_ERROR_INVALID, at, member,
 	              "is %u, must be bits of SCREE_REPORT_TOUCHES, SCREE_REPORT_HITS and SCREE_REPORT_APPROVAL", reports);
 }
+
+#define SHORTEST_STEP 1e-9f // s: minimum dt other than 0: in shorter steps, rates of change exceed the range of floats
+
+scree_status check_step(const char* function, float dt, int substeps)
+{
+	if (dt != 0.0f && !(dt >= SHORTEST_STEP && dt <= 1.0f))
+		return fail(SCREE_ERROR_INVALID, "%s: dt is %s, must be 0 or from %s to 1", function, decimal(dt).text,
+		            decimal(SHORTEST_STEP).text);
+	if (substeps < 1 || substeps > 64)
+		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
+	return SCREE_OK;
+}

@@ -39,6 +39,9 @@ scree_status check_real(ArgumentPlace at, const char* member, float x, float low
 	}
 #include "pools/body_values.def"
 
+// Checks the length of a step, s, and its number of substeps.
+scree_status check_step(const char* function, float dt, int substeps);
+
 // Checks that both components of a vector are from -limit to limit.
 scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 

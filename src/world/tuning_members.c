@@ -25,6 +25,13 @@ void tuning_copy(scree_world_def* def, const scree_tuning* tuning)
 	def->sleep_threshold = tuning->sleep_threshold;
 }
 
+bool tuning_equal(const scree_tuning* a, const scree_tuning* b)
+{
+	return a->contact_hertz == b->contact_hertz && a->contact_damping_ratio == b->contact_damping_ratio &&
+	       a->contact_push_speed == b->contact_push_speed && a->restitution_threshold == b->restitution_threshold &&
+	       a->max_speed == b->max_speed;
+}
+
 scree_status check_tuning(ArgumentPlace at, const scree_tuning* tuning)
 {
 	TRY(check_real(at, ".contact_hertz", tuning->contact_hertz, 1e-3f, 1e6f));

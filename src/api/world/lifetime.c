@@ -24,8 +24,6 @@
 #include "world/world.h"
 #include <string.h>
 
-#define SHORTEST_STEP 1e-9f // s: minimum dt other than 0: in shorter steps, rates of change exceed the range of floats
-
 void scree_world_def_default_sized(scree_world_def* def, size_t size)
 {
 	const scree_world_def made = {.size = (uint32_t)size,
@@ -125,11 +123,7 @@ scree_status api_world_create(const scree_world_def* def, scree_world** world)
 static scree_status step(scree_world* world, const char* function, float dt, int substeps)
 {
 	TRY(world_check(world, function));
-	if (dt != 0.0f && !(dt >= SHORTEST_STEP && dt <= 1.0f))
-		return fail(SCREE_ERROR_INVALID, "%s: dt is %s, must be 0 or from %s to 1", function, decimal(dt).text,
-		            decimal(SHORTEST_STEP).text);
-	if (substeps < 1 || substeps > 64)
-		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
+	TRY(check_step(function, dt, substeps));
 	if (dt > 0.0f &&
 	    auto_choose(world)) // with dt 0 a step only detects contacts, so its duration is no measure of a device
 	{

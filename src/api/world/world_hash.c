@@ -1,63 +1,14 @@
 // SPDX-License-Identifier: MIT
 // world_hash.c -- computes the hash of a world: the sum over the pools of the device, plus data that only the host has.
 #include "platform/processor.h"
-#include "pools/hash_types.h"
 #include "step/state_readback.h"
 #include "world/check.h"
 #include "world/device/auto.h"
 #include "world/failure.h"
-#include "world/objects/exclusions.h"
-#include "world/objects/fields.h"
-#include "world/objects/materials.h"
-#include "world/objects/reports.h"
-#include "world/pool_values.h"
+#include "world/objects/hidden_hash.h"
 #include "world/record/api_calls.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
-
-static Word64 hash_pose(Word64 h, scree_pose pose) { return hash_float4(h, pose_row(pose)); }
-
-// Hashes type, gravity scale and collidables of a disabled body, which the device does not hash.
-static Word64 hash_disabled(const scree_world* world, int body)
-{
-	const HostBody* host = world->host_bodies + body;
-	Word64 sum = hash_float(hash_word(hash_begin(HASH_DISABLED, body), (Word)host->type), host->values.gravity_scale);
-	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
-	{
-		const HostCollidable* c = world->host_collidables + k;
-		Word64 h = hash_pose(
-		    hash_word(hash_word(hash_begin(HASH_DISABLED_COLLIDABLE, k), (Word)body), (Word)c->attribute), c->pose);
-		sum += hash_Filter(h, filter_row(c->filter, report_bits(c)));
-	}
-	return sum;
-}
-
-// Hashes a mass set by the user, because the device has the mass of a body only while the body is dynamic.
-static Word64 hash_own_mass(int body, scree_mass mass)
-{
-	return hash_float4(hash_begin(HASH_OWN_MASS, body),
-	                   make_float4(mass.mass, mass.inertia, mass.center.x, mass.center.y));
-}
-
-static uint64_t hidden_hash(const scree_world* world)
-{
-	Word64 sum = 0;
-	for (int k = 0; k < world->target_count; ++k)
-		sum += hash_pose(hash_begin(HASH_TARGET, world->targets[k].body), world->targets[k].pose);
-	for (int k = 0; k < world->bodies.used && world->disabled_bodies > 0; ++k)
-		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].disabled)
-			sum += hash_disabled(world, k);
-	for (int k = 0; k < world->bodies.used && world->own_masses; ++k)
-		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].own_mass.mass > 0.0f)
-			sum += hash_own_mass(k, world->host_bodies[k].own_mass);
-	for (int k = 0; k < world->paths.used; ++k)
-		if (slots_in_use(&world->paths, k))
-			sum += hash_mix(hash_begin(HASH_PATH, k) + world->host_paths[k].name);
-	for (int k = 0; k < world->sensors.visit_count; ++k)
-		sum += hash_mix(
-		    hash_int(hash_begin(HASH_VISIT, world->sensors.visits[k].sensor), world->sensors.visits[k].visitor));
-	return sum + materials_hash(world) + exclusions_hash(world) + allowed_hash(world) + fields_hash(world);
-}
 
 scree_status api_world_get_hash(scree_world* world, uint64_t* hash)
 {
@@ -70,7 +21,7 @@ scree_status api_world_get_hash(scree_world* world, uint64_t* hash)
 	scree_status status =
 	    pipeline_hash(&world->pipeline, world->def.sleep, world->bodies.used, world->collidables.used, hash);
 	if (status == SCREE_OK)
-		*hash += hidden_hash(world);
+		*hash += world_hidden_hash(world);
 	auto_count(world, begin);
 	return world_note(world, status);
 }

@@ -153,55 +153,66 @@ static void set_spots(scree_world* world, const int* spots)
 	}
 }
 
-static scree_status upload_chains(scree_world* world, const ChainLayout* layout)
+scree_status chains_find(const scree_world* world, ChainSearch* search, char** memory)
 {
-	Backend* b = world->backend;
-	if (layout->ranged == 0)
-		return SCREE_OK;
-	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN, layout->ranged));
-	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN_BLOCK, layout->places / MAX_LANES));
-	TRY(b->f->write(b, POOL_chain, 0, layout->ranged, layout->ranges));
-	if (layout->node_count == 0)
-		return SCREE_OK;
-	TRY(pipeline_reserve(&world->pipeline, PER_BRANCH, layout->node_count));
-	return b->f->write(b, POOL_branch, 0, layout->node_count, layout->nodes);
+	size_t joints = (size_t)world->joints.used, bodies = (size_t)world->bodies.used;
+	size_t bytes = joints * (sizeof(ChainRow) + sizeof(ChainRange) + 2 * sizeof(int) + 1) + bodies + 1;
+	size_t before = branches_bytes(joints, bodies);
+	*memory = scree_allocate(before + bytes);
+	if (!*memory)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to find the chains of %zu joints", joints);
+	memset(*memory, 0, before + bytes);
+	*search = (ChainSearch){.world = world};
+	ChainLayout* layout = &search->layout;
+	layout->rows = (ChainRow*)(*memory + before);
+	layout->ranges = (ChainRange*)(layout->rows + joints);
+	layout->spots = (int*)(layout->ranges + joints);
+	layout->joints = layout->spots + joints;
+	search->seen = (uint8_t*)(layout->joints + joints);
+	search->marks = search->seen + joints;
+	memset(layout->spots, -1, joints * sizeof *layout->spots);
+	branches_find(search, *memory);
+	for (int k = 0; k < world->joints.used; ++k)
+		if (!search->seen[k] && chain_acts(world, k))
+			add_chain(search, k);
+	return SCREE_OK;
+}
+
+scree_status chains_upload(Pipeline* pipeline, const ChainLayout* layout)
+{
+	Backend* b = pipeline->backend;
+	if (layout->ranged > 0)
+	{
+		TRY(pipeline_reserve(pipeline, PER_CHAIN, layout->ranged));
+		TRY(pipeline_reserve(pipeline, PER_CHAIN_BLOCK, layout->places / MAX_LANES));
+		TRY(b->f->write(b, POOL_chain, 0, layout->ranged, layout->ranges));
+	}
+	if (layout->ranged > 0 && layout->node_count > 0)
+	{
+		TRY(pipeline_reserve(pipeline, PER_BRANCH, layout->node_count));
+		TRY(b->f->write(b, POOL_branch, 0, layout->node_count, layout->nodes));
+	}
+	pipeline->chain_ranges = layout->ranged;
+	pipeline->chains = layout->items;
+	pipeline->carried = layout->carried;
+	pipeline->branches = layout->branch_count;
+	pipeline->branch_nodes = layout->node_count;
+	pipeline->chain_places = layout->places;
+	return SCREE_OK;
 }
 
 scree_status chains_update(scree_world* world)
 {
-	size_t joints = (size_t)world->joints.used, bodies = (size_t)world->bodies.used;
 	if (!world->chains_stale)
 		return SCREE_OK;
-	size_t bytes = joints * (sizeof(ChainRow) + sizeof(ChainRange) + 2 * sizeof(int) + 1) + bodies + 1;
-	size_t before = branches_bytes(joints, bodies);
-	char* memory = scree_allocate(before + bytes);
-	if (!memory)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to find the chains of %zu joints", joints);
-	memset(memory, 0, before + bytes);
-	ChainSearch s = {.world = world};
-	ChainLayout* layout = &s.layout;
-	layout->rows = (ChainRow*)(memory + before);
-	layout->ranges = (ChainRange*)(layout->rows + joints);
-	layout->spots = (int*)(layout->ranges + joints);
-	layout->joints = layout->spots + joints;
-	s.seen = (uint8_t*)(layout->joints + joints);
-	s.marks = s.seen + joints;
-	memset(layout->spots, -1, joints * sizeof *layout->spots);
-	branches_find(&s, memory);
-	for (int k = 0; k < world->joints.used; ++k)
-		if (!s.seen[k] && chain_acts(world, k))
-			add_chain(&s, k);
-	chain_layout(layout, world->backend->chain_lanes, world->backend->groups);
-	scree_status status = upload_chains(world, layout);
+	ChainSearch search;
+	char* memory;
+	TRY(chains_find(world, &search, &memory));
+	chain_layout(&search.layout, world->backend->chain_lanes, world->backend->groups);
+	scree_status status = chains_upload(&world->pipeline, &search.layout);
 	if (status == SCREE_OK)
 	{
-		set_spots(world, layout->spots);
-		world->pipeline.chain_ranges = layout->ranged;
-		world->pipeline.chains = layout->items;
-		world->pipeline.carried = layout->carried;
-		world->pipeline.branches = layout->branch_count;
-		world->pipeline.branch_nodes = layout->node_count;
-		world->pipeline.chain_places = layout->places;
+		set_spots(world, search.layout.spots);
 		world->chains_stale = false;
 	}
 	scree_release(memory);
