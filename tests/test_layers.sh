@@ -25,6 +25,7 @@ stages/solve
 stages/finalize
 stages/read
 stages/save
+stages/batch
 stages
 backend
 cpu opencl
@@ -44,9 +45,11 @@ world/record
 world/recovery
 world/record/recorder
 world/units
+batch
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover
 api/draw
+api/batch
 api/record'
 
 # folders beside the library, which are searched only for circles of includes

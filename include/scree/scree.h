@@ -2405,6 +2405,62 @@ static inline int scree_clock_advance(scree_clock* clock, double seconds)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
+// Many worlds at once (docs/manual/batch.md)
+// ---------------------------------------------------------------------------------------------------------------
+//
+// A batch steps up to millions of small worlds at once. They are copies of templates, which are ordinary worlds. Each has
+// the bits that it has alone: they do not depend on its number, on the other worlds, or on the device.
+
+typedef struct scree_batch scree_batch;
+
+typedef struct scree_batch_def
+{
+	uint32_t size; // set by scree_batch_def_default
+	int worlds;    // number of worlds, 1 to 16,777,216; default 1
+	// Array of template_count worlds, at least one. They are copied, so the program may change or destroy them. Each has at
+	// most 4,096 bodies, collidables, contacts and joints; scree_world_def.sleep is false; there are no fields, sensors, pending
+	// targets, or contacts that need approval. All have the same gravity, tuning and length of the last substep. A template
+	// with paths, or with pairs of materials, must be the only one.
+	scree_world** templates;
+	int template_count;
+	const int* template_of;  // for each world, the index of its template; null (default): world i has template i modulo
+	                         // template_count
+	const char* device;      // "cpu" (default), "opencl" or "opencl:NAME", as in scree_world_def
+	int threads;             // CPU worker threads, 0 to 64; 0 (default): one per core
+	int lanes;               // as in scree_world_def
+	bool allow_unequal_bits; // as in scree_world_def
+	float device_timeout;    // as in scree_world_def
+	bool timings;            // as in scree_world_def
+} scree_batch_def;
+
+// Returns a definition with the default values.
+static inline scree_batch_def scree_batch_def_default(void);
+
+// Creates a batch, whose worlds are in the states of their templates. The caller owns *batch and destroys it with
+// scree_batch_destroy. On failure *batch is null. Fails with SCREE_ERROR_INVALID if a template has something that worlds
+// in a batch cannot have.
+SCREE_API scree_status scree_batch_create(const scree_batch_def* def, scree_batch** batch);
+
+// Destroys a batch. batch may be null.
+SCREE_API void scree_batch_destroy(scree_batch* batch);
+
+// Advances all worlds by `steps` steps, at least 0. dt, substeps: as for scree_world_step. A failure breaks the batch: every
+// later call returns the same status, and it can only be destroyed.
+SCREE_API scree_status scree_batch_step(scree_batch* batch, float dt, int substeps, int steps);
+
+// Puts worlds back to the states of their templates. mask: one byte per world, other than 0 for each world to reset;
+// null: all worlds. If a template with joints has been stepped, the substeps of its last step and of the last step of the
+// batch must have equal lengths, otherwise this fails with SCREE_ERROR_INVALID.
+SCREE_API scree_status scree_batch_reset(scree_batch* batch, const uint8_t* mask);
+
+// Writes the hash of each world: the one that scree_world_get_hash returns for the same world alone. hashes: array with
+// one entry per world.
+SCREE_API scree_status scree_batch_get_hashes(scree_batch* batch, uint64_t* hashes);
+
+// Returns the number of worlds; 0 if batch is null.
+SCREE_API int scree_batch_get_worlds(const scree_batch* batch);
+
+// ---------------------------------------------------------------------------------------------------------------
 // Debug draw (docs/manual/debug_draw.md)
 //
 // One call hands everything in a part of the world to functions of the program: lines, filled polygons, circles and
@@ -2863,6 +2919,14 @@ SCREE_API scree_status scree_world_overlap_box_sized(scree_world* world, scree_b
 static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_query_results* list)
 {
 	return scree_world_overlap_box_sized(world, box, list, sizeof *list);
+}
+
+SCREE_API void scree_batch_def_default_sized(scree_batch_def* def, size_t size);
+static inline scree_batch_def scree_batch_def_default(void)
+{
+	scree_batch_def def;
+	scree_batch_def_default_sized(&def, sizeof def);
+	return def;
 }
 
 SCREE_API void scree_draw_def_default_sized(scree_draw_def* def, size_t size);

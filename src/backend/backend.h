@@ -96,7 +96,7 @@ typedef struct // upload of many items, a kernel over each item, and readback of
 	// `answers` only if all items are valid. The kernel must also terminate with invalid items.
 	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // argument of check
-} Batch;
+} RoundTrip;
 
 typedef struct // every function that returns a status sets the error's sentence on failure (fail, src/platform/error.h)
 {
@@ -121,8 +121,8 @@ typedef struct // every function that returns a status sets the error's sentence
 	// even if later runs are not. At most one copy at a time, of at most READ_ASYNC_BYTES
 	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
 	scree_status (*read_end)(Backend* b, void* items);
-	// executes write, run and read of a batch, which may overlap in time
-	scree_status (*batch)(Backend* b, const Step* step, const Batch* batch);
+	// executes write, run and read of a round trip, which may overlap in time
+	scree_status (*round_trip)(Backend* b, const Step* step, const RoundTrip* trip);
 	scree_status (*wait)(Backend* b);
 	// after all work, returns the times of the stages since the last call; 0 without BackendOptions.timings
 	scree_status (*timings)(Backend* b, double milliseconds[STAGE_COUNT]);
@@ -144,7 +144,7 @@ typedef struct // every function that returns a status sets the error's sentence
 	// copies one block to the other `times` times, on the whole device; returns after the copies
 	scree_status (*copy)(Backend* b, int times);
 	// executes a search on the calling thread. Several threads may search at the same time after searches_open, until the next
-	// other call that changes pools that queries read. Null: searches are batches
+	// other call that changes pools that queries read. Null: searches are round trips
 	void (*searches_open)(Backend* b);
 	void (*search)(Backend* b, const Search* search);
 	// chooses the form of later solves; returns false if the device lacks the form, or has no other; may be null

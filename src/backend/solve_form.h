@@ -10,7 +10,8 @@ typedef enum
 	FORM_RELAY,
 	FORM_TILES,
 	FORM_LAUNCHES, // one launch per color and pass
-	FORM_COUNT
+	FORM_COUNT,
+	FORM_BAYS = FORM_COUNT // the default form of a batch, chosen only by the backend
 } SolveForm;
 
 // Form of the solve for devices that are opened later. Only tests change it. FORM_RELAY and FORM_TILES apply to OpenCL

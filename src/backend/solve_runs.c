@@ -25,7 +25,8 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 	int bound = solve->bound, spokes = layout_spokes(c);
 	for (int turn = 0; turn < HUB_COLORS && turn < c->hubs; ++turn)
 	{
-		runs_add(list, KERNEL_hub, 0, (c->hubs - turn + HUB_COLORS - 1) / HUB_COLORS, bound, RUN_PAIR(pass, turn));
+		runs_add(list, KERNEL_hub, 0, solve->batch ? c->hubs : (c->hubs - turn + HUB_COLORS - 1) / HUB_COLORS, bound,
+		         RUN_PAIR(pass, turn));
 		if (bound == NO_COUNT)
 			runs_add(list, KERNEL_hub_merge, 0, spokes, COUNT(split), turn);
 		else if (c->split > 0)
@@ -34,7 +35,7 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 	if (solve->carried < solve->chains && pass == PASS_RELAX)
 		runs_add(list, KERNEL_chain, solve->carried, solve->chains, bound, pass);
 	if (c->overflow > 0)
-		runs_add(list, KERNEL_joint_overflow, 0, 1, bound, pass);
+		runs_add(list, KERNEL_joint_overflow, 0, solve->batch ? c->overflow : 1, bound, pass);
 	for (int color = 0; color < COLORS; ++color)
 		for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		{

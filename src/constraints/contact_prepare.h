@@ -4,6 +4,7 @@
 #define CONTACT_PREPARE_H
 #include "constraints/contact_constraint.h"
 #include "constraints/rolling.h"
+#include "pools/bays.h"
 
 INLINE void prepare_depth(const Pools* p, Real separation)
 {
@@ -21,7 +22,11 @@ INLINE void prepare_press(const Pools* p, int i, Real separation)
 		int kind = deep & 1 ? p->collidable_kind[p->contact_place_pair[i + k].y] : KIND_DYNAMIC;
 		float least = kind == KIND_STATIC ? PRESS_START : PRESS_FROM;
 		if (kind != KIND_DYNAMIC && -lane(separation, k) > least)
+		{
 			raise_int(&p->counters->press[kind == KIND_KINEMATIC], 1);
+			if (p->step.bays.worlds)
+				raise_int(&bay_of_contact(p, p->contact_place_slot[i + k])->press[kind == KIND_KINEMATIC], 1);
+		}
 	}
 }
 

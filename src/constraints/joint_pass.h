@@ -6,6 +6,7 @@
 #include "constraints/coupling.h"
 #include "constraints/joint_locks.h"
 #include "constraints/path_constraint.h"
+#include "pools/bays.h"
 
 #define JOINT_CARRIES 1.5f // maximum factor by which the bound of a joint's warm start grows from step to step
 
@@ -57,12 +58,17 @@ INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, 
 // Share of a body's inertia: if a joint's pull exceeds it, taut.h sums all pulls at each body in the next step.
 #define JOINT_TAUT 0.25f
 
-INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Vec push)
+// Sets Counters.taut if the pull of a joint exceeds this share. i: place of the joint.
+INLINE void joint_tautens(const Pools* p, int i, const Joint* u, const JointPose* c, Vec push)
 {
 	JointPull pull = joint_pull(p, u, c, push);
 	Real most = maximum(pull.a * c->a.inv_inertia, pull.b * c->b.inv_inertia);
-	if (lane_bits(most > splat(JOINT_TAUT)))
+	Word lanes = lane_bits(most > splat(JOINT_TAUT));
+	if (lanes)
 		raise_int(&p->counters->taut, 1);
+	for (int k = 0; p->step.bays.worlds && lanes >> k != 0; ++k)
+		if (lanes >> k & 1)
+			raise_int(&bay_of_joint(p, p->joint_place_slot[i + k])->taut, 1);
 }
 
 // Applies the impulses of the last step, reduced if they would change the velocities by more than an allowed share of
@@ -75,7 +81,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 		joint_scale(p, i, u, splat(p->step.h_ratio));
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
-	joint_tautens(p, u, c, j.push);
+	joint_tautens(p, i, u, c, j.push);
 	Real most = splat(START_SHARE * p->step.max_speed), spin = splat(START_SHARE * p->step.max_spin);
 	Real faster = c->mass * (absolute(j.push.x) + absolute(j.push.y));
 	if (c->couples)

@@ -4,6 +4,7 @@
 #define JOINT_PREPARE_H
 #include "constraints/angle.h"
 #include "constraints/joint_spring.h"
+#include "pools/bays.h"
 
 // Reads four numbers of joint `slot`. place: offset in JointData, in units of four numbers.
 INLINE void joint_quad(const Pools* p, Int slot, int place, Real out[4])
@@ -43,6 +44,17 @@ INLINE void joint_lock(const Pools* p, const Real joint[4], int k, Int chained, 
 		*soft = blend(*soft, splat(0.0f), chained);
 }
 
+// Returns the lanes whose body is the ground of its world.
+INLINE Int joint_ground(const Pools* p, Int body)
+{
+	if (!p->step.bays.worlds)
+		return body == 0;
+	// the quotient, and so the number of the bay, may be off by one
+	int size = p->step.bays.bodies;
+	Int rest = body - whole(real_of(body) * p->step.bays.body_part) * size;
+	return (rest == 0) | (rest == size) | (rest == -size);
+}
+
 typedef struct // pose of a frame in the world
 {
 	Vec arm, turn;      // arm from the center of mass; cos, sin
@@ -59,9 +71,9 @@ OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body
 	const GLOBAL float *center = (const GLOBAL float*)p->local_center, *low = (const GLOBAL float*)p->pose_low;
 	Vec own = vec(placed[0], placed[1]), frame = vec(placed[2], placed[3]), turn = vec(pose[2], pose[3]);
 	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
-	// a frame in the world (body 0) is a position with a zero arm: an arm from the origin could be long, and rounding
-	// would make the other body's arm less exact
-	Int world = body == 0;
+	// a frame in the world is a position with a zero arm: an arm from the origin could be long, and rounding would make
+	// the other body's arm less exact
+	Int world = joint_ground(p, body);
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	end.arm = vec_blend(vec_turn(turn, own), zero, world);
 	end.turn = vec_turn(turn, frame);
@@ -123,7 +135,11 @@ INLINE void joint_press(const Pools* p, int i, const Joint* u, Int there, Vec ga
 	for (int k = 0; far != 0; ++k, far >>= 1)
 		if (far & 1 && !(p->body[joint_row(p, body_a, i + k)].inv_mass > 0.0f &&
 		                 p->body[joint_row(p, body_b, i + k)].inv_mass > 0.0f))
+		{
 			raise_int(&p->counters->press[1], 1);
+			if (p->step.bays.worlds)
+				raise_int(&bay_of_joint(p, p->joint_place_slot[i + k])->press[1], 1);
+		}
 }
 
 // Computes all prepared rows of joint i, except the rare ones. slot: -1 for padding.

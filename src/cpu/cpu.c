@@ -2,7 +2,7 @@
 // cpu.c -- implements the CPU backend: pools in host memory, and kernels shared by threads.
 #include "cpu/cpu.h"
 #include "backend/arithmetic.h"
-#include "backend/batch.h"
+#include "backend/round_trip.h"
 #include "platform/error.h"
 #include "platform/processor.h"
 #include <limits.h>
@@ -100,7 +100,7 @@ static const BackendFunctions functions = {
     .keep = cpu_keep,
     .read_begin = cpu_read_begin,
     .read_end = cpu_read_end,
-    .batch = batch_whole,
+    .round_trip = round_trip_whole,
     .wait = cpu_wait,
     .timings = cpu_timings,
     .address = cpu_address,

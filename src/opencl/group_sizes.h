@@ -43,11 +43,16 @@
 #define TILE_BODIES 1024 // bodies per tile, 32 bytes each; a larger tile lowers occupancy, but has a smaller border
 #define TILE_GROUP  256  // work-items per tile
 #endif
+#ifndef BAY_BODIES
+#define BAY_BODIES 1024 // maximum number of bodies of a work-group in bay_solve.cl, 32 bytes each in local memory
+#define BAY_GROUP  256  // its work-items
+#endif
+
 // Number of columns of the table of tiles: a row has the first place of each color and kind, then the end of the tile.
 #define TILE_COLUMNS (COLORS * CONSTRAINT_KINDS + 1)
-// local memory of a pass over tiles, bytes: 32 per body and one spare body, and a row of the table; all other kernels
-// have at most LOCAL_LEAST, the local memory that each device of OpenCL 1.2 has
-#define TILE_MEMORY (32 * (TILE_BODIES + 1) + 4 * (TILE_COLUMNS + 1))
+// local memory of a pass over tiles and of the solve of a batch, bytes: 32 per body and one spare body, and four numbers per
+// column; all other kernels have at most LOCAL_LEAST, the local memory that each device of OpenCL 1.2 has
+#define TILE_MEMORY (32 * (TILE_BODIES + 1) + 16 * TILE_COLUMNS)
 #define LOCAL_LEAST 32768
 
 // values of Counters.fault

@@ -30,4 +30,5 @@ KERNEL_FUNCTION(continuous_plain, continuous, (pools.step.rules = pools.step.ask
 #if defined(RESIDENT) && defined(TILES)
 #include "opencl/forms/tiles.cl"
 #include "opencl/forms/tile_pass.cl"
+#include "opencl/forms/bay_solve.cl"
 #endif

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // opencl_backend.c -- implements the OpenCL backend: buffers by kind of item, kernels, and one in-order queue.
 #include "opencl/arithmetic_test.h"
-#include "opencl/batch_transfer.h"
 #include "opencl/buffer.h"
 #include "opencl/compile.h"
 #include "opencl/context.h"
 #include "opencl/copy_bandwidth.h"
 #include "opencl/execute.h"
 #include "opencl/external_memory.h"
+#include "opencl/forms/bay_solve.h"
 #include "opencl/forms/form.h"
 #include "opencl/forms/relay.h"
 #include "opencl/forms/tiles.h"
@@ -17,6 +17,7 @@
 #include "opencl/primitives.h"
 #include "opencl/queue.h"
 #include "opencl/readback.h"
+#include "opencl/round_trip_parts.h"
 #include "opencl/transfer.h"
 #include "platform/error.h"
 #include <limits.h>
@@ -34,6 +35,7 @@ static void opencl_close(Backend* b)
 			finish_to_close(d);
 		tiles_close(d);
 		relay_close(d);
+		bay_solve_close(d);
 		persistent_close(d);
 		primitives_close(d);
 		for (int i = 0; i < KERNEL_COUNT; ++i)
@@ -145,6 +147,7 @@ static scree_status kernels_bind(OpenCl* d, Per per)
 		if (d->persistent.kernel.kernel)
 			TRY(kernel_bind(d, per, &d->persistent.kernel));
 		TRY(relay_bind(d, per));
+		TRY(bay_solve_bind(d, per));
 		TRY(kernel_bind(d, per, &d->solve_end));
 		TRY(tiles_bind(d, per));
 	}
@@ -304,7 +307,10 @@ static scree_status open_device(Backend* b, const BackendOptions* options, const
 		TRY(relay_create(d));
 		TRY(kernel_create(d, "solve_end", KERNEL_GROUP, &d->solve_end));
 		if (tiles)
+		{
 			TRY(tiles_open(d));
+			TRY(bay_solve_open(d));
+		}
 		else
 			log_sentence(SCREE_LOG_INFO, "%s has %zu bytes of local memory; the solver does without tiles.",
 			             d->device.about.name, d->device.local_memory);
@@ -339,7 +345,7 @@ static scree_status opencl_open_device(const BackendOptions* options, const Devi
 	    .keep = opencl_keep,
 	    .read_begin = opencl_read_begin,
 	    .read_end = opencl_read_end,
-	    .batch = opencl_batch,
+	    .round_trip = opencl_round_trip,
 	    .wait = opencl_wait,
 	    .timings = opencl_timings,
 	    .share = opencl_share,

@@ -42,7 +42,7 @@ typedef struct // state of transfer.c, which transfers large arrays
 	scree_tasks tasks;                // pool of the user; enqueue is null if there is none
 	Threads* threads;                 // null until the first large transfer
 	cl_event events[TRANSFER_BLOCKS]; // for each block: event of the last command that uses it
-	cl_command_queue up, down;        // queues of batches, null until the first batch
+	cl_command_queue up, down;        // queues of round trips, null until the first one
 } Transfer;
 
 typedef struct // a launch whose time the host has not read yet
@@ -123,6 +123,14 @@ enum // kernels of kernels.cl that are specialized for worlds without some featu
 	PLAIN_NARROW_PHASE,
 	PLAIN_CONTINUOUS,
 	PLAIN_KERNELS
+};
+
+enum // kernels of bay_solve.cl
+{
+	BAY_COLORS,
+	BAY_HINGES,
+	BAY_JOINTS,
+	BAY_KERNELS
 };
 
 enum // kernels of tiles.cl that take all pools, in the order of their launches
@@ -208,6 +216,8 @@ typedef struct
 	SolveForm form; // required form; FORM_ANY: the fastest; FORM_LAUNCHES after memory for another was insufficient
 	RelayState relay;
 	TileState tiles;
+	Kernel bay_kernels[BAY_KERNELS];
+	bool solves_bays; // true: the device has the local memory and the work-groups that bay_solve.cl needs
 	Kernel solve_end;
 
 	Staging staging;

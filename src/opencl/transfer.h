@@ -14,7 +14,7 @@ bool transfer_wanted(const OpenCl* d, size_t count);
 scree_status transfer_up(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
 scree_status transfer_down(OpenCl* d, cl_mem buffer, size_t offset, void* bytes, size_t count);
 
-// Steps of a transfer, which batches use too. transfer_open allocates blocks and threads at its first call.
+// Steps of a transfer, which round trips use too. transfer_open allocates blocks and threads at its first call.
 scree_status transfer_open(OpenCl* d);
 unsigned char* transfer_block(const OpenCl* d, int block);
 // Waits for the last command that uses a block.

@@ -4,6 +4,10 @@
 #define COLLIDABLE_TYPES_H
 #include "pools/limits.h"
 
+// Types of hashed pools that contain indices. A hash contains the indices within the world (hash_types.h).
+typedef int BodyIndex, AttributeIndex; // -1 for none
+typedef Int2 CollidablePair;           // -1, -1 for none
+
 // Bits of Filter.reports: events of a collidable that are listed for the user.
 #define REPORT_TOUCHES  1u // begins and ends of touches of the collidable
 #define REPORT_HITS     2u // hits that the collidable gives or receives

@@ -32,9 +32,13 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int touched; // INT_MAX if the user changed a sleeping body or a collidable, so that any contact may change, else 0
 	int movers;  // 1 if some body that does not sleep moved or may move in the last step, in a world that sleeps
 	int drowsy;  // 1 if some body has been at rest for SLEEP_TIME
-	int hubs;    // number of hubs
-	int split;   // number of spokes if some body is split into parts, else 0
-	int outliers[2]; // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
+	int placed[CONSTRAINT_KINDS]; // number of places behind the layout that copies of worlds took (bay_copy.h)
+	int stale_layout
+	    [CONSTRAINT_KINDS]; // 1 if copies of worlds changed constraints of the kind, so it needs a new layout
+	int copied_spokes;      // 1 if a copy of a world contains a spoke, and there was no layout since
+	int hubs;               // number of hubs
+	int split;              // number of spokes if some body is split into parts, else 0
+	int outliers[2];        // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
 	// Values of this step.
 	int updated_boxes; // number of collidables whose enlarged box changed
 	int changed;       // 1 if a constraint began or ended, so the constraints need a new layout
@@ -52,6 +56,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int dead;       // number of free contact slots found
 	int created;    // number of new contacts
 	int needed;     // number of contact slots that the step needs
+	int crowded;    // number of contact slots that each bay of a batch needs, if one has too few; else 0
 	int stalled;    // 1 if the contact limit or a capacity is exceeded; after the latter, the host enlarges the pools
 	int live;       // number of contact slots that the narrow phase processes; 0 if `stalled` is 1
 	int look;       // same as `live` if some contact has CONTACT_LOOK, else 0
@@ -83,6 +88,8 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int held;             // number of bodies that continuous collision stopped
 	int joint_moved;      // 1 if some joint is new or got another spot; joint_updated clears this
 	int joints_dirty;     // INT_MAX if a joint or an exclusion changed, or a joint broke, since the last step; else 0
+	int joined_dirty;     // joints_dirty at the start of the step, without the joints of joints_copied
+	int joints_copied;    // 1 if copies of worlds brought joints whose constraints must begin or end
 	int overflow_first, overflow; // joints with neither color nor chain: first index in the sorted keys; number
 	int joined;                   // number of pairs of bodies that joints or the user keep from touching
 	int joint_events;             // number of joints whose force or torque exceeded a threshold in the step

@@ -5,6 +5,17 @@
 #include "dialect/hash_word.h"
 #include "pools/pools.h"
 
+typedef struct // first items of a world in the pools, other than 0 only in a batch
+{
+	int body, collidable, attribute;
+} Origin;
+
+INLINE Origin origin_none(void)
+{
+	Origin origin = {0, 0, 0};
+	return origin;
+}
+
 INLINE Word64 hash_int(Word64 h, int x) { return hash_word(h, (Word)x); }
 INLINE Word64 hash_Word(Word64 h, Word x) { return hash_word(h, x); }
 INLINE Word64 hash_Int2(Word64 h, Int2 v) { return hash_int(hash_int(h, v.x), v.y); }
@@ -39,13 +50,19 @@ INLINE Word64 hash_LocalManifold(Word64 h, LocalManifold v)
 	return hash_float4(hash_float4(hash_float4(hash_float4(h, v.normal), v.on_a), v.relative), v.then);
 }
 
-INLINE Word64 hash_JointData(Word64 h, JointData v)
+INLINE Word64 hash_joint(Word64 h, JointData v, Origin origin)
 {
 	const float* numbers = &v.modes;
-	h = hash_int(hash_int(h, v.body_a), v.body_b);
+	h = hash_int(hash_int(h, v.body_a - origin.body), v.body_b - origin.body);
 	for (int k = 0; k < 4 * JOINT_QUADS - 2; ++k)
 		h = hash_float(h, numbers[k]);
 	return h;
 }
+
+// Hash types with indices. The caller, item_hash, has the variable `origin`.
+#define hash_BodyIndex(h, v)      hash_int(h, (v) < 0 ? (v) : (v)-origin.body)
+#define hash_AttributeIndex(h, v) hash_int(h, (v) < 0 ? (v) : (v)-origin.attribute)
+#define hash_CollidablePair(h, v) hash_int(hash_int(h, (v).x - origin.collidable), (v).y - origin.collidable)
+#define hash_JointData(h, v)      hash_joint(h, v, origin)
 
 #endif

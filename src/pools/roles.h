@@ -46,6 +46,7 @@ typedef enum // kind of the items of a pool
 	PER_COMMAND,
 	PER_HASH,
 	PER_SAVED, // 16 bytes of a save
+	PER_BAY,   // bay of a world of a batch
 	PER_ONE,
 	PER_COUNT
 } Per;

@@ -65,6 +65,29 @@ typedef struct // places of a save in the pool saved, in words from item `first`
 	int zones, room; // number of zones of these values, a power of 2; number of words of each
 } SavedLayout;
 
+typedef struct // bays of the worlds of a batch (bays.h); zeros outside of a batch
+{
+	int worlds;                       // number of worlds; their bays come first, and only these are stepped
+	int bodies, collidables;          // numbers of items of a bay
+	int contact_bits, joint_bits;     // binary logarithms of these numbers for contacts and joints
+	float body_part, collidable_part; // 1 divided by the number of items of a bay
+} Bays;
+
+typedef struct // 16 bytes: numbers of items of a world of a batch
+{
+	int bodies, collidables; // slots in use, up to the last one
+	int attribute;           // first attribute of its template
+	int unused;
+} Bay;
+
+typedef struct // 32 bytes: values of a world of a batch that the counters have in a world alone
+{
+	int press[2], ways, presses; // Counters.press, ways, presses
+	int taut;                    // Counters.taut
+	int taut_seen, taut_used;    // its value at the start of the step, and of the step before, which the solve uses
+	int joints_dirty;            // 1 if contacts may have to restart because joints changed; only in spare bays
+} BayState;
+
 typedef struct // constants of one step, passed by value to every kernel; a comment "some ..." is the condition for 1
 {
 	float dt, h, inv_h; // s: step; s: substep; 1/s: substeps per second
@@ -112,6 +135,7 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 	// Number of nodes of level 1 that a traversal visits before it is split; number of work-items for split traversals.
 	int traversal_nodes, traversal_items;
 	int key_bits; // bits of a collidable's index in the key of a pair
+	Bays bays;
 	SavedLayout saved;
 } Step;
 

@@ -56,4 +56,5 @@ SMALL_BEGIN
 #include "stages/read/joint_report.h"
 #include "stages/read/hash.h"
 #include "stages/save/tidy.h"
+#include "stages/batch/bay_hash.h"
 SMALL_END

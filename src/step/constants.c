@@ -4,6 +4,7 @@
 #include "dialect/finite.h"
 #include "platform/error.h"
 #include "step/contact_capacity.h"
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -54,6 +55,15 @@ void step_places(Step* step, const Backend* b)
 {
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		step->place_capacity[kind] = b->capacity[kind_info[kind].places];
+}
+
+void step_bays(Step* step, const Bays* bays)
+{
+	step->bays = *bays;
+	if (bays->worlds == 0)
+		return;
+	step->contact_limit = MAX_CONTACTS;
+	step->traversal_nodes = INT_MAX; // a traversal within a world is short
 }
 
 Step step_constants(const Pipeline* pipeline, const StepRequest* request)
@@ -132,6 +142,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .traversal_items = b->traversal_items < collidables ? b->traversal_items : collidables,
 	    .key_bits = index_bits(collidables),
 	};
+	step_bays(&step, &pipeline->bays);
 	step_places(&step, b);
 	return step;
 }

@@ -3,6 +3,7 @@
 #include "step/pipeline.h"
 #include "backend/solve_runs.h"
 #include "platform/error.h"
+#include "step/bay_layout.h"
 #include "step/constants.h"
 #include "step/contact_capacity.h"
 #include "step/dispatch.h"
@@ -80,6 +81,8 @@ static scree_status grow(Pipeline* pipeline, Step* step)
 	const Counters* c = &pipeline->counters;
 	if (c->over_limit)
 		return contact_limit_fail(pipeline, step);
+	if (c->crowded)
+		return bays_grow(pipeline, step, c->crowded);
 	TRY(c->pairs > step->pair_capacity ? pipeline_reserve(pipeline, PER_KEY, c->pairs)
 	                                   : pipeline_reserve(pipeline, PER_CONTACT, c->needed + 1));
 	step->pair_capacity = b->capacity[PER_KEY];
@@ -279,6 +282,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	pipeline->settles = pipeline->settles && request->dt == 0.0f;
 	pipeline->jumps = false;
 	pipeline->reverted = false;
+	pipeline->placed = 0;
 	++pipeline->steps;
 	return pipeline_trim(pipeline);
 }

@@ -125,6 +125,9 @@ typedef struct
 	bool tells;                      // the user has requested the list of moved bodies
 	uint64_t named, named_bodies;    // Names.version of collidables and bodies on the device; 0: none
 	int grown;                       // number of times that a pool grew
+	Bays bays;                       // bays of a batch; zeros in an ordinary world
+	int spare_bays;                  // number of bays that are not stepped
+	int placed;                      // upper bound of Counters.placed
 	double milliseconds;             // wall-clock time of the last step, ms
 	double stage_times[STAGE_COUNT]; // ms of each stage in the last step; zeros without timings
 	double query_milliseconds;       // ms of the last queries; 0 without timings

@@ -53,6 +53,7 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	               .branches = pipeline->branches,
 	               .chain_places = pipeline->chain_places,
 	               .taut = pipeline->taut && c->layout[CONSTRAINT_JOINT].begin[COLORS] > 0,
+	               .batch = step->bays.worlds > 0,
 	               .counters = c,
 	               .bound = bound,
 	               .visited = bound};

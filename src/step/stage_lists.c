@@ -155,13 +155,15 @@ scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
 	runs_add_single(list, KERNEL_step_begin);
+	if (step->bays.worlds && step->dt > 0.0f)
+		runs_add(list, KERNEL_bay_begin, 0, step->bays.worlds, NO_COUNT, 0);
 	if (step->sleep && !pipeline->listed)
 		list_all_groups(pipeline, step, bodies);
 	runs_add(list, KERNEL_transform, 0, group_items(step->collidables), visits(step, GROUPS_OF_COLLIDABLES), 0);
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		bool wants = tree_wants_order(state);
+		bool wants = !step->bays.worlds && tree_wants_order(state);
 		state->ordered = !wants && pipeline->jumps && tree_churns(state);
 		if (wants || state->ordered)
 		{
@@ -186,12 +188,28 @@ static bool pairs_may_change(const Pipeline* pipeline)
 // Lists the runs that collect the pairs of bodies that joints or the user keep apart, sorted by the bodies' indices.
 static void list_joined(RunList* list, int joints, int excluded, int bodies)
 {
-	int bits = index_bits(bodies), count = COUNT(joints_dirty), pairs = joints + excluded;
+	int bits = index_bits(bodies), count = COUNT(joined_dirty), pairs = joints + excluded;
 	runs_add(list, KERNEL_joint_pair_key, 0, joints, count, 0);
 	runs_add(list, KERNEL_excluded_key, 0, excluded, count, joints);
 	runs_add_sort(list, pairs, count, 0, bits);
 	runs_add_sort(list, pairs, count, 32, 32 + bits);
 	runs_add(list, KERNEL_joint_pair, 0, pairs, count, pairs);
+}
+
+// Lists the runs that find free slots for the new contacts, in ascending order.
+static void list_free_slots(Pipeline* pipeline, const Step* step)
+{
+	RunList* list = &pipeline->list;
+	int groups = group_count(pipeline->backend, GROUPS_OF_CONTACTS) + 1,
+	    slots = step->sleep ? groups : step->contact_capacity;
+	if (step->bays.worlds)
+	{
+		runs_add(list, KERNEL_contact_list_bay, 0, step->pair_capacity, COUNT(sort_pairs), 0);
+		return;
+	}
+	runs_add(list, step->sleep ? KERNEL_contact_mark_group : KERNEL_contact_mark_free, 0, slots, COUNT(search), 0);
+	runs_add(list, PRIMITIVE_SCAN, 0, slots, COUNT(search), 0);
+	runs_add(list, step->sleep ? KERNEL_contact_list_group : KERNEL_contact_list_free, 0, slots, COUNT(search), 0);
 }
 
 void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies)
@@ -205,14 +223,11 @@ void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies)
 	runs_add(list, KERNEL_broad_phase_rest, 0, step->traversal_items, COUNT(rest), 0);
 	runs_add(list, KERNEL_contact_admit, 0, 1, COUNT(pairs), 0);
 	runs_add_sort(list, step->pair_capacity, COUNT(sort_pairs), 0, 2 * step->key_bits);
-	int groups = group_count(pipeline->backend, GROUPS_OF_CONTACTS) + 1, slots = step->sleep ? groups : contacts;
-	runs_add(list, step->sleep ? KERNEL_contact_mark_group : KERNEL_contact_mark_free, 0, slots, COUNT(search), 0);
-	runs_add(list, PRIMITIVE_SCAN, 0, slots, COUNT(search), 0);
-	runs_add(list, step->sleep ? KERNEL_contact_list_group : KERNEL_contact_list_free, 0, slots, COUNT(search), 0);
+	list_free_slots(pipeline, step);
 	runs_add(list, KERNEL_contact_reserve, 0, 1, COUNT(pairs), 0);
 	runs_add(list, KERNEL_contact_create, 0, contacts, COUNT(created), 0);
 	if (joints)
-		runs_add(list, KERNEL_contact_join, 0, contacts, COUNT(joints_dirty), 0);
+		runs_add(list, KERNEL_contact_join, 0, contacts, COUNT(joined_dirty), 0);
 }
 
 // Lists the runs that request approval, and that sort pairs which rules keep apart, for continuous collision.

@@ -158,14 +158,14 @@ scree_status queries_answer(Pipeline* pipeline, const QueryRequest* q, QueryResu
 	TRY(send_plan(pipeline, q, 0));
 	if (q->items)
 	{
-		Batch batch = {.asked = POOL_query,
-		               .items = q->items,
-		               .run = run,
-		               .answered = POOL_found,
-		               .answers = found,
-		               .check = q->check,
-		               .context = q->context};
-		TRY(b->f->batch(b, &pipeline->step, &batch));
+		RoundTrip trip = {.asked = POOL_query,
+		                  .items = q->items,
+		                  .run = run,
+		                  .answered = POOL_found,
+		                  .answers = found,
+		                  .check = q->check,
+		                  .context = q->context};
+		TRY(b->f->round_trip(b, &pipeline->step, &trip));
 		return lap(pipeline, q);
 	}
 	TRY(b->f->download(b, POOL_query, q->count, q->items_at));

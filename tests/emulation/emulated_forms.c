@@ -220,6 +220,22 @@ static bool tiles_solve(const Solve* solve)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
+// batches
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool bays_solve(const Solve* solve)
+{
+	const Bays* bays = &pools.step.bays;
+	bool hinges = !pools.step.springs && !pools.step.couplings && !pools.step.paths;
+	EmulatedKernel kernel = hinges ? EMULATED_bay_solve_hinges : EMULATED_bay_solve_joints;
+	task.stride = solve_constraints(solve);
+	task.stream = buffer(&solve_buffers, task.stride * stream_float4s, sizeof(Float4));
+	task.bays = least(bay_bodies / bays->bodies, bays->worlds);
+	note_most(&form_counts.bays, groups_of(bays->worlds, task.bays));
+	return launch(pools.step.joints ? kernel : EMULATED_bay_solve, groups_of(bays->worlds, task.bays), bay_group);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
 // solves
 // ---------------------------------------------------------------------------------------------------------------
 
@@ -239,7 +255,7 @@ static scree_status solve_emulated(const Solve* solve)
 	if (solve->bound < 0 || ((const int*)c)[solve->bound] > 0)
 		c->nonfinite = c->held = c->first_nonfinite = 5;
 	memset(pools.base, 0xff, (size_t)solve->bodies * sizeof *pools.base);
-	bool well = form.tiles ? tiles_solve(solve) : relay_solve(solve);
+	bool well = !form.tiles ? relay_solve(solve) : pools.step.bays.worlds > 0 ? bays_solve(solve) : tiles_solve(solve);
 	well = well && launch_over(EMULATED_solve_end, solve->bodies);
 	let_go(&solve_buffers);
 	++form_counts.solves;
@@ -352,9 +368,10 @@ static scree_status form_resize(Backend* b, Per per, int capacity)
 	return cpu->resize(b, per, capacity);
 }
 
-void form_take(scree_world* world, const Form* how)
+void form_take(scree_world* world, const Form* how) { form_take_backend(world->backend, how); }
+
+void form_take_backend(Backend* b, const Form* how)
 {
-	Backend* b = world->backend;
 	if (b->f != &functions)
 		cpu = b->f;
 	functions = *cpu;

@@ -23,12 +23,17 @@ typedef struct // form of the solve, and properties of the emulated device
 // From this call on, solves of a CPU world are executed by this form. Only one world at a time can have a form.
 void form_take(scree_world* world, const Form* form);
 
+// Does the same for the backend of a block of a batch. With tiles, its solves are executed by bay_solve.cl.
+struct Backend;
+void form_take_backend(struct Backend* backend, const Form* form);
+
 typedef struct // counts since form_take
 {
 	int solves, by_hubs, split;    // number of emulated solves, of solves with hubs, and of solves with split bodies
 	int registers, streamed;       // number of relays with constraints in registers, and with streamed constraints
 	int spread;                    // maximum number of work-items per constraint in a solve
 	int tiles, inner, border;      // maximum numbers of tiles, constraints within tiles, constraints between tiles
+	int bays;                      // maximum number of groups that solve worlds of a batch
 	int launches, runs;            // number of launches of the persistent kernel; number of runs in these launches
 	int group_stages;              // number of launches of stages that use a whole group for each item
 	int kept;                      // number of solves that used the tiles of the previous solve

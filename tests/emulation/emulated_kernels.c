@@ -8,6 +8,7 @@
 #include "opencl/forms/registers.cl"
 #include "opencl/forms/relay_hub.cl"
 #include "opencl/forms/tile_pass.cl"
+#include "opencl/forms/bay_solve.cl"
 // clang-format on
 #include "emulation/emulated_kernels.h"
 #include <stdlib.h>
@@ -16,7 +17,7 @@ const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_ticket
           stream_float4s = STREAM_FLOAT4S, tile_bodies = TILE_BODIES, tile_group = TILE_GROUP,
           tile_columns = TILE_COLUMNS, primitive_group = PRIMITIVE_GROUP, persistent_header = PERSISTENT_HEADER,
           persistent_table = SORT_BLOCKS * SORT_DIGITS > SCAN_BLOCKS ? SORT_BLOCKS *SORT_DIGITS : SCAN_BLOCKS,
-          fault_timeout = FAULT_TIMEOUT, fault_stale = FAULT_STALE;
+          bay_bodies = BAY_BODIES, bay_group = BAY_GROUP, fault_timeout = FAULT_TIMEOUT, fault_stale = FAULT_STALE;
 
 // stages that use a whole group for each item; GROUP_KERNEL declares them as functions name_group
 #define GROUP_ONE(name)
@@ -87,6 +88,11 @@ TILE_PASS(tile_bounce_joints)
 TILE_BORDER(tile_border)
 TILE_BORDER(tile_border_joints)
 
+#define BAY_SOLVE(name) CALL(name, t->stream, t->stride, t->bays, t->substeps, t->passes, t->bound)
+BAY_SOLVE(bay_solve)
+BAY_SOLVE(bay_solve_hinges)
+BAY_SOLVE(bay_solve_joints)
+
 static void call_tile_total(const void* arguments)
 {
 	const Task* t = arguments;
@@ -137,6 +143,9 @@ static void (*const calls[EMULATED_COUNT])(const void* arguments) = {
     ENTRY(tile_relax_joints),
     ENTRY(tile_bounce_joints),
     ENTRY(tile_border_joints),
+    ENTRY(bay_solve),
+    ENTRY(bay_solve_hinges),
+    ENTRY(bay_solve_joints),
 };
 
 bool emulated_run(EmulatedKernel kernel, const Task* task, int group_count, int group, const Schedule* schedule,

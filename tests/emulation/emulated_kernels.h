@@ -19,6 +19,7 @@ typedef struct // arguments of all kernels that work on pools; each kernel uses 
 	int *list, *probes;
 	int runs;
 	Run run;    // argument of group_stage
+	int bays;   // number of worlds of a group, in a batch
 	int pushed; // 1: fields have changed forces since the last solve
 } Task;
 
@@ -54,6 +55,9 @@ typedef enum
 	EMULATED_tile_relax_joints,
 	EMULATED_tile_bounce_joints,
 	EMULATED_tile_border_joints,
+	EMULATED_bay_solve,
+	EMULATED_bay_solve_hinges,
+	EMULATED_bay_solve_joints,
 	EMULATED_COUNT
 } EmulatedKernel;
 
@@ -67,6 +71,6 @@ int probe_run(int groups, int group, int rounds, int spins, const Schedule* sche
 
 // sizes of opencl/group_sizes.h that the emulated host uses
 extern const int relay_group, mailbox_words, relay_tickets, stream_float4s, tile_bodies, tile_group, tile_columns,
-    primitive_group, persistent_header, persistent_table, fault_timeout, fault_stale;
+    primitive_group, persistent_header, persistent_table, bay_bodies, bay_group, fault_timeout, fault_stale;
 
 #endif

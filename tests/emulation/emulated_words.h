@@ -27,6 +27,10 @@
 #define TILE_BODIES 16
 #define TILE_GROUP  80
 
+// BAY_GROUP is smaller than the number of columns, and than that of the constraints of most columns.
+#define BAY_BODIES 40
+#define BAY_GROUP  12
+
 // PRIMITIVE_GROUP and the sizes of a sort are so small that a small sort has several groups and passes.
 #define PRIMITIVE_GROUP 32
 #define SORT_DIGIT_BITS 5

@@ -23,9 +23,10 @@ static uint32_t any_of(const Call* call, uint32_t first)
 	return (any ^ any >> 13) * 2654435769u;
 }
 
-// Reads a world between two calls, moves it to the device that it is on, replaces it by its snapshot, or does nothing.
+// Reads a world between two calls, moves it to the device that it is on, replaces it by its snapshot, copies it into a batch, or
+// does nothing. Returns whether the copies have the bits of the world.
 // The results of later calls must not change. The list of moved bodies is not read, because each reading begins a new list.
-static void read_between(Pair* pair, CallRun run)
+static bool read_between(Pair* pair, CallRun run)
 {
 	uint32_t any = any_of(run.call, pair->first_read);
 	uint64_t hash;
@@ -55,8 +56,9 @@ static void read_between(Pair* pair, CallRun run)
 		snapshot_repeat(run.world, any >> 24 & 1);
 		break;
 	default:
-		break;
+		return (any >> 25 & 15) != 0 || batch_repeat(run.world, run.place, &pair->batches);
 	}
+	return true;
 }
 
 // Lets the device of a world fail between two calls, or not; the world recovers in the next call that uses the device. A CPU counts
@@ -95,8 +97,11 @@ static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 	if (left.status == SCREE_OK && call->kind == CALL_step && hashes)
 		left.status = scree_world_get_hash(pair->worlds[k], &hash);
 	left.word += hash;
-	if (pair->places[k].reads)
-		read_between(pair, run);
+	if (pair->places[k].reads && !read_between(pair, run))
+	{
+		left.status = SCREE_ERROR_DEVICE_FAILED; // the other world has another status
+		snprintf(left.error, sizeof left.error, "a copy in a batch differs");
+	}
 	return left;
 }
 

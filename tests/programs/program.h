@@ -94,6 +94,7 @@ typedef struct // two worlds on which programs run one after another
 	bool records;
 	const char* record_path; // file to which the last recording is written; null: none
 	scree_world* repeated;   // world of the replays
+	int batches;             // number of times that a world was copied into a batch
 	uint32_t first_read;     // selects the reads between the calls; from 0 to READ_CHOICES - 1
 	int every; // steps from one comparison of hashes to the next; the end of a program is also compared; 0 means 1
 } Pair;

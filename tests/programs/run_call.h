@@ -104,6 +104,10 @@ scree_status run_step(const CallRun* run);
 uint64_t mix_user(uint64_t word, uint64_t a, uint64_t b);
 uint64_t mix_contact(uint64_t word, const scree_contact* contact);
 
+// run_batch.c: copies a world into a batch, and returns whether the copies go on with the same bits. Adds 1 to *made if the
+// world can be copied.
+bool batch_repeat(scree_world* world, const Place* place, int* made);
+
 // run_snapshot.c: takes and restores snapshots. names_clear forgets all names and the snapshot. snapshot_repeat replaces a
 // world by its snapshot, with or without a step before; this changes no result of later calls.
 scree_status run_save(const CallRun* run);

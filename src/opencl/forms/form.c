@@ -2,6 +2,7 @@
 // form.c -- executes a solve in the fastest form: launches by color, a relay (relay.cl) or tiles (tiles.cl).
 #include "opencl/forms/form.h"
 #include "opencl/execute.h"
+#include "opencl/forms/bay_solve.h"
 #include "opencl/forms/relay.h"
 #include "opencl/forms/tiles.h"
 #include "opencl/launch.h"
@@ -26,7 +27,9 @@ enum
 // Reserves memory for a solve by relay or tiles. If this fails, the solve uses launches by color, without this memory.
 static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 {
-	return form == FORM_RELAY ? relay_reserve(d, solve) : tiles_reserve(d, solve);
+	return form == FORM_BAYS    ? bay_solve_reserve(d, solve)
+	       : form == FORM_RELAY ? relay_reserve(d, solve)
+	                            : tiles_reserve(d, solve);
 }
 
 static SolveForm solve_form(OpenCl* d, const Solve* solve)
@@ -35,6 +38,10 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 	bool uncolored = solve->chains > 0 || solve->branches > 0 || solve->counters->overflow > 0;
 	if (d->relay.groups == 0 || d->form == FORM_LAUNCHES || uncolored)
 		return FORM_LAUNCHES;
+	// few constraints stay in the registers of a relay; its form "tiles" stands for large worlds
+	bool many = d->form == FORM_TILES || (d->form == FORM_ANY && !relay_holds(d, solve));
+	if (many && bay_solve_fits(d, solve))
+		return FORM_BAYS;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;
@@ -109,7 +116,7 @@ scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunL
 		solve_taut(solve, list);
 		TRY(run_now(b, step, list));
 	}
-	TRY(form == FORM_RELAY ? relay_run(d, solve) : tiles_run(d, solve));
+	TRY(form == FORM_BAYS ? bay_solve_run(d, solve) : form == FORM_RELAY ? relay_run(d, solve) : tiles_run(d, solve));
 	if (solve->taut)
 	{
 		solve_slack(solve, list);

@@ -26,6 +26,19 @@ INLINE void body_row(const Pools* p, int body, float row[8])
 	row[7] = state.inv_inertia;
 }
 
+// Unpacks a body in local memory. motion: velocity x, y, angular velocity, inverse mass; moved: displacement x, y, rotation,
+// inverse inertia.
+INLINE void body_unpack(float4 motion, float4 moved, Body* b)
+{
+	b->v = vec(motion.x, motion.y);
+	b->w = motion.z;
+	b->inv_mass = motion.w;
+	b->d = vec(moved.x, moved.y);
+	b->da = moved.z;
+	b->inv_inertia = moved.w;
+	body_turn(b);
+}
+
 INLINE void body_motion(const Pools* p, int body, float m[8])
 {
 	Motion motion = p->motion[body];

@@ -54,7 +54,7 @@ bool solve_plain(const OpenCl* d)
 	return !step->joints && !step->heavy && !STEP_RARE(*step) && !step->bounces && !step->round;
 }
 
-static bool solve_hinges(const OpenCl* d)
+bool solve_hinges(const OpenCl* d)
 {
 	const Step* step = &d->constants.step;
 	return !step->springs && !step->couplings && !step->paths;
@@ -103,12 +103,17 @@ static size_t other_groups(OpenCl* d, const Solve* solve)
 	return groups < most ? groups : most;
 }
 
+bool relay_holds(OpenCl* d, const Solve* solve)
+{
+	const Kernel* relay = relay_kernel(d);
+	return solve_constraints(solve) <= relay->groups * (int)relay->group;
+}
+
 scree_status relay_reserve(OpenCl* d, const Solve* solve)
 {
 	TRY(mailboxes_reserve(d, solve));
-	const Kernel* relay = relay_kernel(d);
 	int constraints = solve_constraints(solve), hubs = solve->counters->hubs;
-	bool registers = constraints <= relay->groups * (int)relay->group;
+	bool registers = relay_holds(d, solve);
 	if (hubs > 0)
 	{
 		TRY(scratch_reserve(d, &d->relay.parts, 2 * sizeof(cl_ulong) * (size_t)(constraints + hubs)));

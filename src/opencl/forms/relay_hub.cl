@@ -89,7 +89,7 @@ INLINE_MEET void relay_hub(const Pools* p, const Relay* r, volatile __global ulo
                            LOCAL float* bench, volatile LOCAL int* fault)
 {
 	Body b;
-	int turn = hub_color(n);
+	int turn = hub_color(p, n);
 	Side own = relay_side(p, hub_span_of(p, n).body, turn);
 	bool ok = relay_receive(p, r, own, q, &b);
 	float row[8] = {b.v.x, b.v.y, b.w, b.inv_mass, b.d.x, b.d.y, b.da, b.inv_inertia};
@@ -223,7 +223,7 @@ INLINE_MEET bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTa
 	for (int turn = 0; turn < HUB_COLORS && turn < t->hub_count; ++turn)
 	{
 		for (int n = t->group; n < t->hub_count; n += t->hub_groups)
-			if (hub_color(n) == turn)
+			if (hub_color(p, n) == turn)
 				relay_hub(p, r, parts, n, q, bench, fault);
 		if (p->counters->split > 0)
 			for (int i = t->group * width + group_lane(); i < t->spokes && ok; i += t->hub_groups * width)

@@ -48,14 +48,7 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, LOCA
 
 INLINE void tile_gather(const Pools* p, LOCAL const Tile* tile, uint place, Body* b)
 {
-	float4 motion = tile->motion[place], moved = tile->moved[place];
-	b->v = vec(motion.x, motion.y);
-	b->w = motion.z;
-	b->inv_mass = motion.w;
-	b->d = vec(moved.x, moved.y);
-	b->da = moved.z;
-	b->inv_inertia = moved.w;
-	body_turn(b);
+	body_unpack(tile->motion[place], tile->moved[place], b);
 }
 
 INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
@@ -76,7 +69,8 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 		tile_gather(p, tile, places & 0xffffu, &a);                                                              \
 		tile_gather(p, tile, places >> 16, &b);                                                                  \
 		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
-		int i = KIND##_RARE(&p->step) || ends ? task_at(p, t->order[j]).place : 0;                                        \
+		bool named = KIND##_RARE(&p->step) || ends || p->step.bays.worlds > 0;                                    \
+		int i = named ? task_at(p, t->order[j]).place : 0;                                                        \
 		kind##_ready(p, pass, i, &a, &b, &u, &ready);                                                            \
 		kind##_pass(p, pass, i, &ready, &u, &a, &b);                                                             \
 		tile_scatter(tile, places & 0xffffu, &a);                                                                \

@@ -6,6 +6,7 @@
 // finds the pair. A traversal visits leaves in rising order, so another work-item can continue it at any leaf.
 #ifndef BROAD_PHASE_H
 #define BROAD_PHASE_H
+#include "pools/bays.h"
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 #include "stages/tree/tree_packet.h"
@@ -76,6 +77,7 @@ KERNEL(broad_phase_begin)
 	p->counters->traversals = 0;
 	p->counters->rest = 0;
 	p->counters->created = 0;
+	p->counters->crowded = 0;
 	p->counters->stalled = 0;
 	(void)i;
 }
@@ -90,7 +92,8 @@ INLINE int broad_phase_trees(int kind)
 // Traverses tree t for collidable k, up to traversal_nodes nodes. If nodes remain, lists them for broad_phase_rest.
 INLINE void broad_phase_alone(const Pools* p, int k, int t)
 {
-	int next = broad_phase_traverse(p, k, t, 0, 0, p->step.traversal_nodes);
+	int from = bay_of_collidable(p, k) * p->step.bays.collidables; // in a batch, leaf i is that of collidable i
+	int next = broad_phase_traverse(p, k, t, from, from + p->step.bays.collidables, p->step.traversal_nodes);
 	if (next == 0)
 		return;
 	p->traversal[atomic_add_int(&p->counters->traversals, 1)] = make_int2(2 * k + t, next);
@@ -168,7 +171,7 @@ INLINE void broad_phase_packet(const Pools* p, int i, int t)
 // as a packet. The chunk of a worker has a multiple of PACKET_TRAVERSALS items, so packets do not cross chunks.
 KERNEL(broad_phase)
 {
-	if (FETCHES)
+	if (FETCHES && !p->step.bays.worlds)
 	{
 		for (int t = 0; t < 2 && i % PACKET_TRAVERSALS == 0; ++t)
 			broad_phase_packet(p, i, t);

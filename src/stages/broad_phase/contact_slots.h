@@ -6,6 +6,7 @@
 #define CONTACT_SLOTS_H
 #include "constraints/contact_one.h"
 #include "dialect/finite.h"
+#include "pools/bays.h"
 #include "stages/color/joint_edges.h"
 #include "stages/edit/pool_item.h"
 #include "stages/rules/apart.h"
@@ -21,9 +22,13 @@ KERNEL(contact_admit)
 		c->kept = 0;
 	int slots = p->step.sleep ? (c->contacts + GROUP_ITEMS - 1) >> GROUP_BITS : c->contacts;
 	c->search = c->sort_pairs > 0 ? slots + 1 : 0;
+	c->crowded = 0;
 	c->dead = 0;
 	(void)i;
 }
+
+// Returns the bay of a new pair.
+INLINE int contact_bay(const Pools* p, int i) { return bay_of_collidable(p, (int)(p->key[i] >> p->step.key_bits)); }
 
 KERNEL(contact_mark_free) { p->scan[i] = i < p->counters->contacts && p->pair[i].x < 0; }
 
@@ -48,15 +53,36 @@ KERNEL(contact_list_group)
 			p->free_slot[place++] = k;
 }
 
+// Item: a new pair, in a batch. For the first pair of a world, lists the lowest free slots of its bay, in ascending order,
+// for all pairs of the world. If the bay is full, stores the number of slots that the bays need.
+KERNEL(contact_list_bay)
+{
+	int bits = p->step.bays.contact_bits, world = contact_bay(p, i), slot = world << bits, end = (world + 1) << bits;
+	if (i > 0 && contact_bay(p, i - 1) == world)
+		return;
+	for (int k = i; k < p->counters->sort_pairs && contact_bay(p, k) == world; ++k)
+	{
+		while (slot < end && p->pair[slot].x >= 0)
+			++slot;
+		if (slot < end && k < p->step.contact_capacity)
+			p->free_slot[k] = slot++;
+		else
+			raise_int(&p->counters->crowded, (1 << bits) + 1 + k - i);
+	}
+}
+
 // Checks the capacity for contacts; adds the new contacts to the numbers of slots in use and of contacts.
 KERNEL(contact_reserve)
 {
 	GLOBAL Counters* c = p->counters;
-	c->dead = c->search > 0 ? p->scan[c->search - 1] : 0;
+	if (p->step.bays.worlds)
+		c->dead = c->sort_pairs;
+	else
+		c->dead = c->search > 0 ? p->scan[c->search - 1] : 0;
 	int beyond = c->sort_pairs > c->dead ? c->sort_pairs - c->dead : 0;
 	c->needed = c->contacts + beyond;
 	// one slot more than the contacts need, for the end of the scan
-	if (c->needed + 1 > p->step.contact_capacity)
+	if (c->needed + 1 > p->step.contact_capacity || c->crowded)
 	{
 		c->stalled = 1;
 		c->kept = 0;
@@ -129,7 +155,7 @@ KERNEL(contact_create)
 			atomic_add_int(p->contact_group_free + (slot >> GROUP_BITS), -1);
 	}
 	p->pair[slot] = pair;
-	Int2 bodies = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
+	Int2 bodies = make_int2(body_a < 0 ? bay_ground(p, a) : body_a, body_b < 0 ? bay_ground(p, b) : body_b);
 	Word flags = CONTACT_FRESH | touch_reports(p, pair) | contact_parts(p, pair);
 	int kind = p->collidable_kind[b];
 	flags |= kind == KIND_STATIC ? CONTACT_STATIC : kind == KIND_KINEMATIC ? CONTACT_KINEMATIC : 0u;

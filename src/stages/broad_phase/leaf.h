@@ -23,7 +23,7 @@ KERNEL(leaf_active)
 	int k = listed_item(p, GROUPS_OF_COLLIDABLES, i), kind = p->collidable_kind[k], place = tree_place(p, tree, k);
 	if (place < 0)
 		return;
-	box_pack(p->node_box, tree->begin[0] + place, tree_contains(0, kind) ? p->box[k] : box_empty());
+	box_pack(p->node_box, tree->begin[0] + place, tree_contains(p, 0, kind) ? p->box[k] : box_empty());
 	tree_mark_above(p, tree, 1, place);
 }
 

@@ -3,6 +3,7 @@
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "dialect/vec.h"
+#include "pools/bays.h"
 #include "stages/edit/active.h"
 #include "stages/edit/asleep.h"
 #include "stages/geometry/box.h"
@@ -31,7 +32,8 @@ KERNEL(step_begin)
 	c->arranged = 0;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
-		c->dirty[kind] = 0;
+		c->dirty[kind] = c->stale_layout[kind];
+		c->changed |= c->stale_layout[kind];
 		c->arrange[kind] = 0;
 	}
 	c->traversals = 0;
@@ -41,6 +43,7 @@ KERNEL(step_begin)
 	c->created = 0;
 	c->stalled = 0;
 	c->needed = 0;
+	c->crowded = 0;
 	c->released = 0;
 	c->began = 0;
 	c->ended = 0;
@@ -51,11 +54,14 @@ KERNEL(step_begin)
 	c->continuous_items = 0;
 	if (p->step.dt > 0.0f)
 	{
-		c->presses = (c->press[0] && c->press[1]) || c->ways ? 0x7fffffff : 0;
+		c->presses = !p->step.bays.worlds && ((c->press[0] && c->press[1]) || c->ways) ? 0x7fffffff : 0;
 		c->press[0] = 0;
 		c->press[1] = 0;
 		c->ways = 0;
 	}
+	c->joined_dirty = c->joints_dirty;
+	c->joints_dirty = c->joints_copied ? 0x7fffffff : c->joints_dirty;
+	c->joints_copied = 0;
 	c->penetration = 0;
 	c->joint_gap = 0;
 	c->joint_events = 0;
@@ -69,6 +75,20 @@ KERNEL(step_begin)
 	for (int k = 0; k <= MAX_ROUNDS; ++k)
 		c->uncolored[k] = 0;
 	(void)i;
+}
+
+// Item: a live bay, at the start of a step with dt above 0. Does the same for the values of each world.
+KERNEL(bay_begin)
+{
+	GLOBAL BayState* state = p->bay_state + i;
+	state->presses = (state->press[0] && state->press[1]) || state->ways;
+	state->press[0] = state->press[1] = state->ways = 0;
+	if (state->presses)
+		raise_int(&p->counters->presses, 0x7fffffff);
+	state->taut_used = state->taut_seen;
+	state->taut_seen = state->taut;
+	if (state->taut)
+		raise_int(&p->counters->taut, 1);
 }
 
 // Returns the world pose of collidable i, with bodies at the given poses. The pose of a collidable without a body is
@@ -162,10 +182,10 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 		return -1;
 	}
 
-	// treats a collidable without a body as part of body 0, the motionless ground
+	// treats a collidable without a body as part of the ground
 	WorldShape world_shape = collidable_place(p, i);
 	int moves = world_shape.body >= 0;
-	world_shape.body = moves ? world_shape.body : 0;
+	world_shape.body = moves ? world_shape.body : bay_ground(p, i);
 	int shifts = p->step.sleep && p->collidable_kind[i] != KIND_DYNAMIC ? transform_shifts(p, i, box, world_shape) : 0;
 	shifts |= moved & COLLIDABLE_CHANGED && p->step.sleep ? COLLIDABLE_SHIFTED : 0;
 	if (shifts && (moved & (COLLIDABLE_SHIFTED | COLLIDABLE_CHANGED)) != COLLIDABLE_SHIFTED)

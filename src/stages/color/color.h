@@ -21,8 +21,18 @@
 #include "stages/color/spoke.h"
 #include "stages/edit/active.h"
 
-// Returns the priority of an edge. Odd multipliers and xor-shifts are invertible, so no two edges have the same
-// priority. The order looks random. With slots as priorities, each round would color one contact of a row of bodies.
+// Returns the number that an edge has in a world alone: with the slot within its bay.
+INLINE int color_edge_alone(const Pools* p, int edge)
+{
+	const Bays* bays = &p->step.bays;
+	if (!bays->worlds)
+		return edge;
+	int kind = edge_kind(edge), bits = kind == CONSTRAINT_CONTACT ? bays->contact_bits : bays->joint_bits;
+	return edge_of(kind, edge_slot(edge) & ((1 << bits) - 1));
+}
+
+// Returns the priority of an edge. Odd multipliers and xor-shifts are invertible, so no two edges of a world have the
+// same priority. The order looks random. With slots as priorities, each round would color one contact of a row of bodies.
 INLINE Word color_priority(int edge)
 {
 	Word x = (Word)edge + 0x9e3779b9u;
@@ -99,7 +109,7 @@ KERNEL(color_claim)
 		edge_set_color(p, edge, COLORS);
 		return;
 	}
-	Word priority = color_priority(edge);
+	Word priority = color_priority(color_edge_alone(p, edge));
 	GLOBAL Word* claim = p->argument & 1 ? p->claim1 : p->claim0;
 	if (color_spoke(p, edge, bodies))
 		return;
@@ -141,7 +151,7 @@ KERNEL(color_assign)
 		color_enter(p, edge);
 		return;
 	}
-	Word priority = color_priority(edge);
+	Word priority = color_priority(color_edge_alone(p, edge));
 	GLOBAL Word* claim = round & 1 ? p->claim1 : p->claim0;
 	GLOBAL Word* next_claim = round & 1 ? p->claim0 : p->claim1;
 	int moves_a = p->body[bodies.x].inv_mass > 0.0f, moves_b = p->body[bodies.y].inv_mass > 0.0f;
@@ -166,7 +176,7 @@ KERNEL(color_assign)
 KERNEL(color_rank)
 {
 	int edge = color_source(p, i);
-	p->key[i] = (Word64)~color_priority(edge) << 32 | (Word64)(Word)edge;
+	p->key[i] = (Word64)~color_priority(color_edge_alone(p, edge)) << 32 | (Word64)(Word)edge;
 }
 
 #define COLOR_SOON 8 // prefetch distance, in edges
@@ -250,7 +260,7 @@ KERNEL(color_arrange)
 	int left = c->uncolored[RUN_LOW(p->argument)];
 	c->kept = 0;
 	c->overflow_first = 0x7fffffff;
-	c->entered = c->entered || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
+	c->entered = c->entered || c->copied_spokes || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
 	c->arranged = left == 0 && (!c->entered || RUN_HIGH(p->argument) > COLOR_BITS);
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
 	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->dirty[CONSTRAINT_##KIND] ? c->kind##s : 0;
@@ -259,6 +269,10 @@ KERNEL(color_arrange)
 	// contacts in groups that the step skips have no color
 	if (p->step.sleep && c->arrange[CONSTRAINT_CONTACT] > 0)
 		c->arrange[CONSTRAINT_CONTACT] = c->active_items[GROUPS_OF_CONTACTS];
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		if (c->arrange[kind] > 0)
+			c->stale_layout[kind] = c->placed[kind] = 0;
+	c->copied_spokes = c->copied_spokes && c->arrange[CONSTRAINT_CONTACT] == 0;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		for (int k = 0; k < COLORS + 2 && c->arrange[kind] > 0; ++k)
 		{

@@ -7,7 +7,7 @@
 // other share a change of the load too slowly, and the body would swing more and more (docs/design/hubs.md, Belts).
 #ifndef SPOKE_H
 #define SPOKE_H
-#include "pools/pools.h"
+#include "pools/bays.h"
 
 // Returns whether a body touches belts that run against each other. belts: its item of the pool belts.
 INLINE int hub_belts(int belts) { return (belts & (BELT_BACK - 1)) != 0 && belts / BELT_BACK != 0; }
@@ -66,7 +66,29 @@ INLINE HubSpan hub_span_of(const Pools* p, int n)
 	return span;
 }
 
-INLINE int hub_color(int n) { return n % HUB_COLORS; }
+// Returns the number of hubs, among the first `count`, whose bodies precede a body.
+INLINE int hub_bound(const Pools* p, int count, int body)
+{
+	int low = 0, high = count;
+	while (low < high)
+	{
+		int middle = low + (high - low) / 2;
+		if (p->hub[middle] < body)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+// Returns the number of hub n among those of its world.
+INLINE int hub_alone(const Pools* p, int n)
+{
+	int body = p->hub[n];
+	return p->step.bays.worlds ? n - hub_bound(p, n, body - bay_body(p, body)) : n;
+}
+
+INLINE int hub_color(const Pools* p, int n) { return hub_alone(p, n) % HUB_COLORS; }
 
 // Returns the number of places of spokes, padding included.
 INLINE int spoke_places(const Pools* p)

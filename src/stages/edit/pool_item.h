@@ -13,11 +13,12 @@
 #define HASH_SCRATCH(x)
 
 // Adds an item to a hash. `per` is a constant in all calls of these functions, so the compiler removes all other pools.
-INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
+INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h, Origin origin)
 {
 #define X(type, name, of, role) HASH_##role(if (per == PER_##of) h = hash_##type(h, p->name[i]);)
 #include "pools/pools.def"
 #undef X
+	(void)origin;
 	return h;
 }
 

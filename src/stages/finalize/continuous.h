@@ -65,7 +65,7 @@ INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 	float far = continuous_far(g->way.path, g->swing);
 	if (p->collidable_kind[g->index] & KIND_SENSOR || (!g->pressed && !(far > CONTINUOUS_TRAVEL * g->thickness)))
 		return 0;
-	int moves = far > CONTINUOUS_CROSS * g->thickness, statics = p->tree[1].leaves > 0;
+	int moves = far > CONTINUOUS_CROSS * g->thickness, statics = tree_statics(p);
 	int kinematic = !g->pressed && p->step.kinematic > 0;
 	if (!(moves | kinematic | statics))
 		return 0;
@@ -169,7 +169,7 @@ INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float rea
 {
 	const GLOBAL Tree* tree = p->tree + 1;
 	if (!FETCHES || tree->leaves == 0)
-		return tree->leaves > 0;
+		return tree_statics(p);
 	Float4 pose = p->pose[body];
 	Float4 box = make_float4(pose.x + minimum(path.x, 0.0f), pose.y + minimum(path.y, 0.0f),
 	                         pose.x + maximum(path.x, 0.0f), pose.y + maximum(path.y, 0.0f));

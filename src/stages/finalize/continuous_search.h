@@ -2,6 +2,7 @@
 // continuous_search.h -- finds the first obstacle on a collidable's path, and the distance that the collidable moves.
 #ifndef CONTINUOUS_SEARCH_H
 #define CONTINUOUS_SEARCH_H
+#include "pools/bays.h"
 #include "stages/broad_phase/transform.h"
 #include "stages/finalize/continuous_time.h"
 #include "stages/rules/apart.h"
@@ -255,6 +256,8 @@ INLINE ContinuousTraversal continuous_traverse(void)
 INLINE int continuous_seeks_in(const Pools* p, const ContinuousPath* g, int t)
 {
 	int statics = 1 << KIND_STATIC;
+	if (p->step.bays.worlds)
+		return t == 0;
 	return (g->seeks & (t == 1 ? statics : ~statics)) != 0 && p->tree[t].leaves > 0;
 }
 
@@ -275,7 +278,8 @@ INLINE int continuous_next(const Pools* p, const ContinuousPath* g, ContinuousTr
 		while (w->tree < 2 && !continuous_seeks_in(p, g, w->tree));
 		if (w->tree == 2)
 			return -1;
-		w->traversal = tree_traverse(p, p->tree + w->tree, g->box, 0, 0, 0x7fffffff);
+		int from = bay_of_collidable(p, g->index) * p->step.bays.collidables;
+		w->traversal = tree_traverse(p, p->tree + w->tree, g->box, from, from + p->step.bays.collidables, 0x7fffffff);
 	}
 	int bit = lowest_bit(w->leaves);
 	w->leaves &= w->leaves - (Word64)1;

@@ -44,6 +44,8 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 		*w = within(*w, spin);
 		*d = vec_flush_tiny(vec_limit(*d, p->step.dt * maximum(most, p->step.push_speed)));
 		raise_int(&p->counters->ways, 1);
+		if (p->step.bays.worlds)
+			raise_int(&bay_state_of(p, i)->ways, 1);
 		p->press[i].left = left;
 	}
 	else if (press.left != 0 || press.speed != 0)
@@ -94,7 +96,7 @@ INLINE void finalize_body(const Pools* p, int i)
 	if (p->step.sleep && (body->inv_mass > 0.0f ? p->sleep[i] == 0 : v.x != 0.0f || v.y != 0.0f || w != 0.0f))
 		finalize_awake(p, i, body->inv_mass > 0.0f, d, da);
 	int forced = (float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque)) != 0, pressed = 0;
-	if (p->counters->presses != 0 && body->inv_mass > 0.0f)
+	if (p->counters->presses != 0 && body->inv_mass > 0.0f && !press_rests(p, bay_state_of(p, i)))
 	{
 		pressed = finalize_pressed(p, i, &v, &w, &d, da);
 		body->dx = d.x;

@@ -3,6 +3,7 @@
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
 #include "constraints/contact_one.h"
+#include "pools/bays.h"
 #include "stages/color/edge.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/predicted_manifold.h"
@@ -68,7 +69,7 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 #define PLACE_APART CENTERS_APART           // m: bodies whose centers of mass are nearer than this are at one place
 #define PLACE_ASIDE (10.0f * CENTERS_APART) // m: maximum component of the offset of a body (narrow_phase_place)
 
-// m: Returns a pseudo-random offset for a body. Neighbors in a pool, often created together, get unrelated offsets.
+// m: Returns a pseudo-random offset for a body. body: its index within its world. Neighbors in a pool, often created together, get unrelated offsets.
 INLINE Vec narrow_phase_place(int body)
 {
 	Word x = (Word)body * 0x9e3779b9u;
@@ -87,7 +88,7 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 	if (!(absolute(x) + absolute(y) < PLACE_APART) || !(p->body[a.body].inv_mass > 0.0f) ||
 	    !(p->body[b.body].inv_mass > 0.0f))
 		return b;
-	Vec aside = vec_sub(narrow_phase_place(b.body), narrow_phase_place(a.body));
+	Vec aside = vec_sub(narrow_phase_place(bay_body(p, b.body)), narrow_phase_place(bay_body(p, a.body)));
 	b.x = b.x + aside.x;
 	b.y = b.y + aside.y;
 	return b;

@@ -69,7 +69,7 @@ KERNEL(query_leaf)
 	const GLOBAL Tree* tree = p->tree + t;
 	int k = i < tree->leaves ? p->leaf[tree->leaf_begin + i] : 0;
 	int kind = i < tree->leaves ? p->collidable_kind[k] : KIND_DEAD;
-	if (tree_contains(t, kind))
+	if (tree_contains(p, t, kind))
 		query_leaf_write(p, tree, i, k, kind);
 	else
 		box_pack(p->query_box, tree->begin[0] + i, box_empty());
@@ -83,7 +83,7 @@ KERNEL(query_leaf_active)
 	int k = listed_item(p, GROUPS_OF_COLLIDABLES, i), kind = p->collidable_kind[k], place = tree_place(p, tree, k);
 	if (place < 0)
 		return;
-	if (tree_contains(0, kind))
+	if (tree_contains(p, 0, kind))
 		query_leaf_write(p, tree, place, k, kind);
 	else
 		box_pack(p->query_box, tree->begin[0] + place, box_empty());

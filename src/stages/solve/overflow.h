@@ -17,12 +17,18 @@ INLINE void overflow_solve(const Pools* p, int k, int pass)
 	body_scatter(p, ib, b);
 }
 
-// Runs a pass over joints with neither chain nor color, in the order of slots, before the colors. argument: the pass.
+INLINE int overflow_bay(const Pools* p, int k) { return p->joint_place_slot[k] >> p->step.bays.joint_bits; }
+
+// Runs a pass over joints with neither chain nor color, in the order of slots, before the colors. Item: one; in a batch,
+// such a joint, and the first of a world solves all of them. argument: the pass.
 KERNEL(joint_overflow)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
-	int first = layout->begin[COLORS] + p->step.chain_places;
-	for (int k = first; k < first + p->counters->overflow; ++k)
+	int first = layout->begin[COLORS] + p->step.chain_places, end = first + p->counters->overflow,
+	    batch = p->step.bays.worlds;
+	if (batch && i > 0 && overflow_bay(p, first + i - 1) == overflow_bay(p, first + i))
+		return;
+	for (int k = first + i; k < end && (!batch || overflow_bay(p, k) == overflow_bay(p, first + i)); ++k)
 	{
 		if (p->argument == PASS_WARM_START)
 			overflow_solve(p, k, PASS_WARM_START);
@@ -31,7 +37,6 @@ KERNEL(joint_overflow)
 		else if (p->argument == PASS_RELAX)
 			overflow_solve(p, k, PASS_RELAX);
 	}
-	(void)i;
 }
 
 #endif

@@ -57,8 +57,15 @@ INLINE int press_left(int code, Vec normal)
 // Returns whether a kernel must do nothing: it was started before the host read the counters, and the layout changed.
 INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
 
+// Returns whether nothing may press bodies in a world of a batch. state: of the world; not read outside of a batch.
+INLINE int press_rests(const Pools* p, const GLOBAL BayState* state) { return p->step.bays.worlds && !state->presses; }
+
 // Returns the slot of the contact at place i; -1 if there is none, or if the kernel must do nothing (press_waits).
-INLINE int press_slot(const Pools* p, int i) { return press_waits(p) ? -1 : p->contact_place_slot[i]; }
+INLINE int press_slot(const Pools* p, int i)
+{
+	int slot = press_waits(p) ? -1 : p->contact_place_slot[i];
+	return slot >= 0 && press_rests(p, bay_of_contact(p, slot)) ? -1 : slot;
+}
 
 RARE ContactPoints press_points(const Pools* p, int slot)
 {
@@ -133,7 +140,7 @@ KERNEL(press_begin)
 {
 	BodyState state = p->body[i];
 	Vec v = vec(state.vx, state.vy);
-	if (press_waits(p) || !(state.inv_mass > 0.0f))
+	if (press_waits(p) || !(state.inv_mass > 0.0f) || press_rests(p, bay_state_of(p, i)))
 		return;
 	GLOBAL Press* press = p->press + i;
 	press->way[0] = 0;
@@ -209,7 +216,8 @@ KERNEL(press_gather)
 KERNEL(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
-	if (press_waits(p) || (p->joint_flags[i] & (JOINT_ACTIVE | JOINT_ACTS)) != (JOINT_ACTIVE | JOINT_ACTS) ||
+	if (press_waits(p) || press_rests(p, bay_of_joint(p, i)) ||
+	    (p->joint_flags[i] & (JOINT_ACTIVE | JOINT_ACTS)) != (JOINT_ACTIVE | JOINT_ACTS) ||
 	    modes & (JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) || !(modes & PRESS_HOLDS(JOINT_ALONG)) ||
 	    !(modes & PRESS_HOLDS(JOINT_ACROSS)))
 		return;
@@ -274,7 +282,11 @@ KERNEL(press_hand_on)
 	if (bits != p->contact_press[slot])
 		p->contact_press[slot] = bits;
 	if (way[1])
+	{
 		raise_int(&p->counters->ways, 1);
+		if (p->step.bays.worlds)
+			raise_int(&bay_of_contact(p, slot)->ways, 1);
+	}
 }
 
 #endif

@@ -21,8 +21,14 @@
 
 INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }
 
-// Returns whether a collidable of a kind is alive and in tree t; otherwise a leaf of it is empty.
-INLINE int tree_contains(int t, int kind) { return kind != KIND_DEAD && tree_of_kind(kind) == t; }
+// Returns whether a collidable of a kind is alive and in tree t; otherwise a leaf of it is empty. A batch has only tree 0.
+INLINE int tree_contains(const Pools* p, int t, int kind)
+{
+	return kind != KIND_DEAD && (p->step.bays.worlds != 0 || tree_of_kind(kind) == t);
+}
+
+// Returns whether there are static collidables, perhaps in other worlds of a batch.
+INLINE int tree_statics(const Pools* p) { return p->step.bays.worlds != 0 || p->tree[1].leaves > 0; }
 
 #define LEAF_SOON 16 // prefetch distance, in leaves
 
@@ -40,7 +46,7 @@ KERNEL(tree_leaf)
 	if (i < tree->leaves)
 	{
 		int k = p->leaf[tree->leaf_begin + i], kind = p->collidable_kind[k];
-		if (tree_contains(p->argument, kind))
+		if (tree_contains(p, p->argument, kind))
 			box = p->box[k];
 		if (p->step.sleep && p->argument == 0)
 			p->leaf_place[k] = i;
@@ -130,7 +136,7 @@ KERNEL(tree_outlier)
 	for (int k = ARITY * i; k < ARITY * (i + 1) && k < tree->leaves; ++k)
 	{
 		int leaf = p->leaf[tree->leaf_begin + k], kind = p->collidable_kind[leaf];
-		if (!tree_contains(t, kind))
+		if (!tree_contains(p, t, kind))
 			continue;
 		Float4 box = p->box[leaf], old = p->old_box[leaf];
 		jumped |= (p->collidable_flags[leaf] & COLLIDABLE_NEW_BOX) && !box_overlap(box, old);
@@ -206,20 +212,29 @@ typedef struct // traversal of the nodes of level 1 that overlap a box, by risin
 	int movers;       // 1: visit only nodes below which a leaf can touch a kinematic collidable
 } TreeTraversal;
 
+// Returns the lowest level at which eight siblings cover all leaves with `from` <= index < `end`.
+INLINE int tree_level_of(const GLOBAL Tree* tree, int from, int end)
+{
+	int level = 0;
+	for (Word apart = (Word)(from ^ (end - 1)) >> ARITY_BITS; apart != 0 && level < tree->top; apart >>= ARITY_BITS)
+		++level;
+	return level;
+}
+
 // Starts a traversal of a tree that is not empty, over leaves with `from` <= index < `end`, or over all if `end` is 0.
 INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
 	TreeTraversal traversal;
-	traversal.level = tree->top;
-	traversal.first = 0;
+	traversal.level = end ? tree_level_of(tree, from, end) : tree->top;
+	traversal.first = from >> (ARITY_BITS * traversal.level) & ~(ARITY - 1);
 	traversal.from = from;
 	traversal.end = end;
 	traversal.nodes = nodes;
 	traversal.movers = 0;
 	traversal.leaves = 0;
-	traversal.masks = tree_hits(p, tree->begin[traversal.level], box);
+	traversal.masks = tree_hits(p, tree->begin[traversal.level] + traversal.first, box);
 	if (end)
-		traversal.masks &= tree_span(traversal.level, 0, from, end);
+		traversal.masks &= tree_span(traversal.level, traversal.first, from, end);
 	traversal.masks = traversal.masks << (8 * traversal.level);
 	return traversal;
 }

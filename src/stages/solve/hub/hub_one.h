@@ -23,16 +23,8 @@ KERNEL(hub_enter)
 // Returns the hub number of a body, -1 if the body is not a hub.
 INLINE int hub_number(const Pools* p, int body)
 {
-	int low = 0, high = p->counters->hubs;
-	while (low < high)
-	{
-		int middle = low + (high - low) / 2;
-		if (p->hub[middle] < body)
-			low = middle + 1;
-		else
-			high = middle;
-	}
-	return low < p->counters->hubs && p->hub[low] == body ? low : -1;
+	int n = hub_bound(p, p->counters->hubs, body);
+	return n < p->counters->hubs && p->hub[n] == body ? n : -1;
 }
 
 // Returns the hub to which the layout assigned spoke k, even if the user has changed masses since the layout.
@@ -63,11 +55,11 @@ KERNEL(hub_key)
 	{
 		int hub = spoke_hub_of(p, i), n = hub_number(p, hub), neighbor = spoke_neighbor_of(p, i);
 		if (hub_span_of(p, n).first == c)
-			p->hub_colors[hub] = 1 << hub_color(n);
+			p->hub_colors[hub] = 1 << hub_color(p, n);
 		if (p->body[neighbor].inv_mass > 0.0f)
 		{
 			name = (Word64)neighbor;
-			turn = (Word64)hub_color(n);
+			turn = (Word64)hub_color(p, n);
 		}
 	}
 	p->key[i] = name << 32 | turn << HUB_KEY_COLOR | (Word64)i;
@@ -87,7 +79,7 @@ KERNEL(hub_order)
 		return;
 	int first = key_bound(p->key, 0, i, group << HUB_KEY_COLOR),
 	    end = key_bound(p->key, i + 1, p->argument, (group + (Word64)1) << HUB_KEY_COLOR);
-	int own = hub_number(p, (int)body), shares = own >= 0 && hub_color(own) == turn, hubs = shares, beside = 0;
+	int own = hub_number(p, (int)body), shares = own >= 0 && hub_color(p, own) == turn, hubs = shares, beside = 0;
 	for (int k = first; k < end; ++hubs)
 	{
 		HubSpan span = hub_span_of(p, hub_number(p, spoke_hub_of(p, hub_key_spoke(p->key[k]))));
@@ -99,7 +91,7 @@ KERNEL(hub_order)
 	}
 	if (i == first && (i == 0 || p->key[i - 1] >> 32 != body))
 	{
-		int turns = own >= 0 ? 1 << hub_color(own) : 0;
+		int turns = own >= 0 ? 1 << hub_color(p, own) : 0;
 		for (int t = 0, k = i; t < HUB_COLORS; ++t)
 		{
 			int next = key_bound(p->key, k, p->argument, (body * HUB_COLORS + (Word64)(t + 1)) << HUB_KEY_COLOR);
@@ -131,7 +123,7 @@ INLINE int hub_merged(const Pools* p, int i, int turn)
 INLINE int hub_within(const Pools* p, int body, int turn)
 {
 	int n = hub_number(p, body);
-	return n >= 0 && hub_color(n) == turn ? n : -1;
+	return n >= 0 && hub_color(p, n) == turn ? n : -1;
 }
 
 // Merges a split body: adds to its velocity the changes of its parts, each times the part's fraction of the mass. The

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// batch_transfer.c -- executes a batch on a GPU in parts that overlap: sends items, runs the kernel, fetches results.
+// round_trip_parts.c -- executes a round trip on a GPU in parts that overlap: sends items, runs the kernel, fetches results.
 //
 // While the kernel works on a part, the items of the next part are sent and the results of the previous part are
 // fetched: a bus transfers both ways at once. Each direction and the kernel have a queue; events order their commands.
-#include "opencl/batch_transfer.h"
-#include "backend/batch.h"
+#include "opencl/round_trip_parts.h"
+#include "backend/round_trip.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
 #include "opencl/transfer.h"
@@ -12,37 +12,37 @@
 
 #define DEPTH (TRANSFER_BLOCKS / 2) // maximum number of parts in flight; a part has blocks for items and for results
 
-// Number of parts of a batch, unless the size of a block requires another number. With several parts, transfers and
+// Number of parts of a round trip, unless the size of a block requires another number. With several parts, transfers and
 // kernels overlap, but kernels take longer: for a million rays 1.9 ms in one part, 2.3 in four, 3.0 in eight (H200).
 #define PARTS 4
 
 typedef struct
 {
 	OpenCl* d;
-	const Batch* batch;
+	const RoundTrip* trip;
 	size_t item, answer; // bytes of an item, and of its result
 	int part, parts;     // items per part; number of parts
 } Way;
 
 typedef struct
 {
-	const Batch* batch;
+	const RoundTrip* trip;
 	bool bad[MAX_WORKERS];
-} BatchCheck;
+} RoundTripCheck;
 
 static void check_share(void* context, int block, int blocks)
 {
-	BatchCheck* checked = context;
-	const Batch* x = checked->batch;
+	RoundTripCheck* checked = context;
+	const RoundTrip* x = checked->trip;
 	int share = x->run.end / blocks + 1, begin = share * block,
 	    end = begin + share < x->run.end ? begin + share : x->run.end;
 	checked->bad[block] = begin < end && x->check(x->context, begin, end) != SCREE_OK;
 }
 
 // Checks all items, in several threads. The error message is that of the first bad item.
-static scree_status check(OpenCl* d, const Batch* x)
+static scree_status check(OpenCl* d, const RoundTrip* x)
 {
-	BatchCheck checked = {.batch = x};
+	RoundTripCheck checked = {.trip = x};
 	if (!x->check)
 		return SCREE_OK;
 	threads_run_once(d->transfer.threads, check_share, &checked);
@@ -58,7 +58,7 @@ static int first_of(const Way* way, int k) { return way->part * k; }
 
 static int count_of(const Way* way, int k)
 {
-	int left = way->batch->run.end - first_of(way, k);
+	int left = way->trip->run.end - first_of(way, k);
 	return left < way->part ? left : way->part;
 }
 
@@ -69,7 +69,7 @@ static int down_block(int k) { return DEPTH + k % DEPTH; }
 // Copies the items of part k to a block if k < parts, and the results of part `back` to the user if back >= 0.
 static void copy(const Way* way, int k, int back)
 {
-	const Batch* x = way->batch;
+	const RoundTrip* x = way->trip;
 	Load loads[2];
 	int count = 0;
 	if (k < way->parts)
@@ -87,7 +87,7 @@ static void copy(const Way* way, int k, int back)
 static scree_status enqueue(const Way* way, int k, cl_event begin)
 {
 	OpenCl* d = way->d;
-	const Batch* x = way->batch;
+	const RoundTrip* x = way->trip;
 	int first = first_of(way, k), count = count_of(way, k);
 	Run run = x->run;
 	run.begin = first;
@@ -117,7 +117,7 @@ static scree_status go(const Way* way)
 	{
 		int back = k - DEPTH;
 		if (back == 0)
-			status = check(d, way->batch);
+			status = check(d, way->trip);
 		if (back >= 0 && back < way->parts && status == SCREE_OK)
 			status = transfer_settle(d, down_block(back)); // the results are there, so the kernel has read the items
 		if (status != SCREE_OK)
@@ -142,14 +142,14 @@ static scree_status queue_open(OpenCl* d, cl_command_queue* queue)
 	return context_check(d->failure, "clCreateCommandQueue", error);
 }
 
-scree_status opencl_batch(Backend* b, const Step* step, const Batch* batch)
+scree_status opencl_round_trip(Backend* b, const Step* step, const RoundTrip* trip)
 {
 	OpenCl* d = b->state;
-	Way way = {d, batch, pool_info[batch->asked].bytes, pool_info[batch->answered].bytes, 0, 0};
+	Way way = {d, trip, pool_info[trip->asked].bytes, pool_info[trip->answered].bytes, 0, 0};
 	size_t larger = way.item > way.answer ? way.item : way.answer;
-	int most = (int)(TRANSFER_BLOCK / larger), count = batch->run.end;
+	int most = (int)(TRANSFER_BLOCK / larger), count = trip->run.end;
 	if (count <= most / 2)
-		return batch_whole(b, step, batch);
+		return round_trip_whole(b, step, trip);
 	way.part = clamp(count / PARTS + 1, most / 2, most);
 	way.parts = (count + way.part - 1) / way.part;
 	TRY(transfer_open(d));

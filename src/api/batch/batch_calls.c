@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// batch_calls.c -- creates, steps, resets and hashes batches for the user.
+#include "batch/batch.h"
+#include "platform/processor.h"
+#include "world/definition.h"
+#include "world/failure.h"
+#include "world/record/api_calls.h"
+#include <stddef.h>
+#include <string.h>
+
+static const DefinitionType batch_definition = {
+    sizeof(scree_batch_def), offsetof(scree_batch_def, timings) + sizeof(bool), "scree_batch_def_default"};
+
+void scree_batch_def_default_sized(scree_batch_def* def, size_t size)
+{
+	scree_batch_def made = {.worlds = 1, .device = "cpu"};
+	if (!def)
+		return;
+	write_result(def, size, &made, sizeof made);
+	def->size = (uint32_t)size;
+}
+
+static scree_status check_templates(const char* function, const scree_batch_def* def)
+{
+	ArgumentPlace at = {function, "def", ALONE};
+	if (def->template_count < 1)
+		return refuse(SCREE_ERROR_INVALID, at, ".template_count", "is %d, must be at least 1", def->template_count);
+	TRY(check_pointer(function, "def.templates", def->templates));
+	for (int t = 0; t < def->template_count; ++t)
+		TRY(world_check(def->templates[t], function));
+	for (int k = 0; def->template_of && k < def->worlds; ++k)
+		if (def->template_of[k] < 0 || def->template_of[k] >= def->template_count)
+			return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "def.template_of", k}, "",
+			              "is %d, must be from 0 to %d", def->template_of[k], def->template_count - 1);
+	return SCREE_OK;
+}
+
+static scree_status check_def(const char* function, const scree_batch_def* def)
+{
+	ArgumentPlace at = {function, "def", ALONE};
+	if (def->worlds < 1 || def->worlds > MAX_ITEMS)
+		return refuse(SCREE_ERROR_INVALID, at, ".worlds", "is %d, must be from 1 to %d", def->worlds, MAX_ITEMS);
+	TRY(check_pointer(function, "def.device", def->device));
+	if (strcmp(def->device, "auto") == 0)
+		return refuse(SCREE_ERROR_INVALID, at, ".device", "is \"auto\", which worlds of a batch cannot have yet");
+	if (!(def->device_timeout >= 0.0f))
+		return refuse(SCREE_ERROR_INVALID, at, ".device_timeout", "is %s, must be from 0 to INFINITY",
+		              decimal(def->device_timeout).text);
+	return check_templates(function, def);
+}
+
+scree_status api_batch_create(const scree_batch_def* def, scree_batch** batch)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_create";
+	TRY(check_pointer(function, "batch", batch));
+	*batch = NULL;
+	TRY(check_pointer(function, "def", def));
+	TRY(check_definition((ArgumentPlace){function, "def", ALONE}, def, 0, &batch_definition));
+	scree_batch_def local;
+	def = definition_at(def, 0, &batch_definition, &local);
+	TRY(check_def(function, def));
+	TRY(cpu_self_test(function));
+	return batch_create(def, function, batch);
+}
+
+void scree_batch_destroy(scree_batch* batch)
+{
+	FLOAT_MODE_HERE;
+	batch_destroy(batch);
+}
+
+static scree_status check_whole(const scree_batch* batch, const char* function)
+{
+	TRY(check_pointer(function, "batch", batch));
+	if (batch->broken != SCREE_OK)
+		return fail(batch->broken, "%s: the batch is broken, because an earlier call failed", function);
+	return SCREE_OK;
+}
+
+// Returns `status`, and breaks the batch if it is a failure.
+static scree_status note(scree_batch* batch, scree_status status)
+{
+	if (status != SCREE_OK)
+		batch->broken = status;
+	return status;
+}
+
+typedef struct
+{
+	float dt;
+	int substeps, steps;
+} StepWork;
+
+static scree_status step_block(Block* block, const void* context)
+{
+	const StepWork* step = context;
+	return block_step(block, step->dt, step->substeps, step->steps);
+}
+
+scree_status api_batch_step(scree_batch* batch, float dt, int substeps, int steps)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_step";
+	TRY(check_whole(batch, function));
+	TRY(check_step(function, dt, substeps));
+	if (steps < 0)
+		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "steps", ALONE}, "", "is %d, must be at least 0",
+		              steps);
+	StepWork work = {dt, substeps, steps};
+	return note(batch, batch_each(batch, step_block, &work));
+}
+
+// Checks that templates with joints had their last step in substeps as long as those of the batch. Joints that were reset
+// would otherwise scale their impulses in the next step, and other joints would not.
+static scree_status check_lengths(const scree_batch* batch, const char* function, const uint8_t* mask)
+{
+	float now = batch->blocks[0].pipeline.step.h;
+	for (int k = 0; k < batch->worlds; ++k)
+	{
+		const Template* from = batch->templates + batch->template_of[k];
+		float then = from->pipeline.step.h;
+		if ((!mask || mask[k]) && from->joints > 0 && then > 0.0f && then != now)
+			return fail(SCREE_ERROR_INVALID,
+			            "%s: world %d has joints, and its template had substeps of %s s, but the last step had %s s",
+			            function, k, decimal(then).text, decimal(now).text);
+	}
+	return SCREE_OK;
+}
+
+static scree_status reset_block(Block* block, const void* context) { return block_reset(block, context); }
+
+scree_status api_batch_reset(scree_batch* batch, const uint8_t* mask)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_reset";
+	TRY(check_whole(batch, function));
+	TRY(check_lengths(batch, function, mask));
+	return note(batch, batch_each(batch, reset_block, mask));
+}
+
+typedef struct
+{
+	uint64_t* hashes;
+} HashWork;
+
+static scree_status hash_block(Block* block, const void* context)
+{
+	return block_hash(block, ((const HashWork*)context)->hashes);
+}
+
+scree_status api_batch_get_hashes(scree_batch* batch, uint64_t* hashes)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_get_hashes";
+	TRY(check_whole(batch, function));
+	TRY(check_pointer(function, "hashes", hashes));
+	HashWork work = {hashes};
+	return note(batch, batch_each(batch, hash_block, &work));
+}
+
+int scree_batch_get_worlds(const scree_batch* batch) { return batch ? batch->worlds : 0; }

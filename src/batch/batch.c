@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// batch.c -- makes batches, and does work for all blocks of a batch.
+//
+// On a GPU all worlds share one block. On a CPU a worker steps the worlds of a block alone, so that no worker waits for
+// another within a step, and the pools of a block stay in the worker's cache.
+#include "batch/batch.h"
+#include "platform/error.h"
+#include "platform/processor.h"
+#include "step/bay_layout.h"
+#include "world/device/devices.h"
+#include "world/tuning_members.h"
+#include <stdatomic.h>
+#include <string.h>
+
+#define BLOCK_ITEMS 1024 // number of bodies of a block on a CPU, whose pools then fill about half of an L2 cache
+
+typedef struct
+{
+	scree_batch* batch;
+	BlockWork* work;
+	const void* context;
+	atomic_int next, failed; // failed: lowest number of a block that failed
+	scree_status status;
+	Sentence sentence;
+	atomic_flag busy; // set while a worker changes the two members above
+} Job;
+
+static void fail_job(Job* job, int block, scree_status status)
+{
+	while (atomic_flag_test_and_set(&job->busy))
+	{
+	}
+	if (block < atomic_load(&job->failed))
+	{
+		atomic_store(&job->failed, block);
+		job->status = status;
+		job->sentence = sentence_keep();
+	}
+	atomic_flag_clear(&job->busy);
+}
+
+static void work_blocks(void* context, int worker, int workers)
+{
+	Job* job = context;
+	(void)worker, (void)workers;
+	for (int k; (k = atomic_fetch_add(&job->next, 1)) < job->batch->block_count;)
+	{
+		scree_status status = job->work(job->batch->blocks + k, job->context);
+		if (status != SCREE_OK)
+			fail_job(job, k, status);
+	}
+}
+
+scree_status batch_each(scree_batch* batch, BlockWork* work, const void* context)
+{
+	Job job = {.batch = batch, .work = work, .context = context, .failed = INT32_MAX, .busy = ATOMIC_FLAG_INIT};
+	if (batch->threads)
+		threads_run_once(batch->threads, work_blocks, &job);
+	else
+		work_blocks(&job, 0, 1);
+	if (job.status != SCREE_OK)
+		sentence_restore(&job.sentence);
+	return job.status;
+}
+
+static bool moves_alike(const Template* a, const Template* b)
+{
+	return a->request.gravity.x == b->request.gravity.x && a->request.gravity.y == b->request.gravity.y &&
+	       tuning_equal(&a->request.tuning, &b->request.tuning) && a->pipeline.step.h == b->pipeline.step.h;
+}
+
+static scree_status read_templates(scree_batch* batch, const scree_batch_def* def, const char* function)
+{
+	batch->templates = scree_allocate(sizeof *batch->templates * (size_t)def->template_count);
+	if (!batch->templates)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for templates", function);
+	int attributes = 0, pairs = -1, paths = -1;
+	for (int t = 0; t < def->template_count; ++t)
+	{
+		Template* made = batch->templates + t;
+		batch->template_count = t + 1;
+		TRY(template_read(def->templates[t], function, t, made));
+		if (!moves_alike(made, batch->templates))
+			return fail(SCREE_ERROR_INVALID, "%s: template %d has another gravity, tuning or substep than template 0",
+			            function, t);
+		pairs = made->count[POOL_material_pair] > 0 && pairs < 0 ? t : pairs;
+		paths = made->count[POOL_path_sample] > 0 && paths < 0 ? t : paths;
+		if ((pairs >= 0 || paths >= 0) && t > 0)
+			return fail(SCREE_ERROR_INVALID,
+			            "%s: template %d has pairs of materials or paths, so it must be the only template", function,
+			            pairs >= 0 ? pairs : paths);
+		template_shift(made, attributes);
+		attributes += made->attributes;
+	}
+	return SCREE_OK;
+}
+
+static scree_status open_device(const scree_batch_def* def, int threads, Backend** backend)
+{
+	scree_world_def world = scree_world_def_default();
+	world.device = def->device;
+	world.threads = threads;
+	world.lanes = def->lanes;
+	world.allow_unequal_bits = def->allow_unequal_bits;
+	world.device_timeout = def->device_timeout;
+	world.timings = def->timings;
+	return device_open(&world, NULL, backend);
+}
+
+// Returns the number of worlds of a block on a CPU.
+static int block_worlds(const scree_batch* batch, int workers)
+{
+	int most = 1;
+	for (int t = 0; t < batch->template_count; ++t)
+		most = batch->templates[t].bodies > most ? batch->templates[t].bodies : most;
+	int worlds = BLOCK_ITEMS / most > 1 ? BLOCK_ITEMS / most : 1, share = (batch->worlds + workers - 1) / workers;
+	return worlds < share ? worlds : share;
+}
+
+static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, const char* function)
+{
+	bool cpu = strcmp(def->device, "cpu") == 0;
+	int cores = processor_cores(), workers = def->threads > 0      ? def->threads
+	                                         : cores < MAX_WORKERS ? cores
+	                                                               : MAX_WORKERS;
+	int worlds = cpu ? block_worlds(batch, workers) : batch->worlds;
+	int blocks = (batch->worlds + worlds - 1) / worlds;
+	batch->blocks = scree_allocate(sizeof *batch->blocks * (size_t)blocks);
+	if (!batch->blocks)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d blocks", function, blocks);
+	for (int k = 0; k < blocks; ++k)
+	{
+		int first = k * worlds, count = batch->worlds - first < worlds ? batch->worlds - first : worlds;
+		Backend* backend;
+		TRY(open_device(def, cpu ? 1 : def->threads, &backend));
+		batch->block_count = k + 1;
+		TRY(block_open(batch->blocks + k, backend, batch->templates, batch->template_count, batch->template_of, first,
+		               count));
+	}
+	if (blocks > 1 && workers > 1)
+	{
+		batch->threads = threads_open(workers < blocks ? workers : blocks, NULL);
+		if (!batch->threads)
+			return SCREE_ERROR_OUT_OF_MEMORY;
+	}
+	return SCREE_OK;
+}
+
+scree_status batch_create(const scree_batch_def* def, const char* function, scree_batch** batch)
+{
+	*batch = NULL;
+	scree_batch* made = scree_allocate(sizeof *made);
+	if (!made)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a batch", function);
+	made->worlds = def->worlds;
+	made->template_of = scree_allocate(sizeof(int) * (size_t)def->worlds);
+	scree_status status = made->template_of
+	                          ? SCREE_OK
+	                          : fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d worlds", function, def->worlds);
+	for (int k = 0; k < def->worlds && status == SCREE_OK; ++k)
+		made->template_of[k] = def->template_of ? def->template_of[k] : k % def->template_count;
+	if (status == SCREE_OK)
+		status = read_templates(made, def, function);
+	if (status == SCREE_OK)
+		status = open_blocks(made, def, function);
+	if (status == SCREE_OK)
+		*batch = made;
+	else
+		batch_destroy(made);
+	return status;
+}
+
+void batch_destroy(scree_batch* batch)
+{
+	if (!batch)
+		return;
+	for (int k = 0; k < batch->block_count; ++k)
+		block_close(batch->blocks + k);
+	threads_close(batch->threads);
+	for (int t = 0; t < batch->template_count; ++t)
+		template_close(batch->templates + t);
+	scree_release(batch->templates);
+	scree_release(batch->template_of);
+	scree_release(batch->blocks);
+	scree_release(batch);
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// batch.h -- declares a batch: many worlds in blocks.
+#ifndef BATCH_H
+#define BATCH_H
+#include "batch/world_block.h"
+#include "platform/threads.h"
+
+struct scree_batch
+{
+	int worlds, template_count, block_count;
+	Template* templates;
+	int* template_of; // for each world: index of its template
+	Block* blocks;
+	Threads* threads;    // workers, each of which steps one block at a time; null if there is one block
+	scree_status broken; // sticky error, SCREE_OK while healthy
+};
+
+// Makes a batch. The arguments are checked. On failure *batch is null.
+scree_status batch_create(const scree_batch_def* def, const char* function, scree_batch** batch);
+void batch_destroy(scree_batch* batch);
+
+typedef scree_status BlockWork(Block* block, const void* context);
+
+// Does work for each block, with all workers. Returns the failure of the first block that failed, after all blocks.
+scree_status batch_each(scree_batch* batch, BlockWork* work, const void* context);
+
+#endif

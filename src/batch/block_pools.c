@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// block_pools.c -- writes templates, and data that all worlds of a template share, into the pools of a block.
+#include "batch/block_pools.h"
+#include "platform/error.h"
+#include "pools/bays.h"
+#include "step/bay_layout.h"
+#include "step/reserve.h"
+#include "world/chain/chains.h"
+#include <string.h>
+
+static scree_status no_memory(void) { return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for a batch"); }
+
+static scree_status write_pool(Block* block, PoolId pool, int first, const Template* from)
+{
+	Backend* b = block->backend;
+	int count = from->count[pool];
+	return count > 0 ? b->f->write(b, pool, first, count, template_item(from, pool, 0)) : SCREE_OK;
+}
+
+// Writes a template into its spare bay. Its attributes follow those of earlier templates.
+static scree_status fill_spare(Block* block, const Template* from, int bay)
+{
+	Backend* b = block->backend;
+	const Bays* bays = &block->pipeline.bays;
+	const struct
+	{
+		Per per;
+		int first;
+	} kinds[] = {{PER_BODY, bay_item(bays->worlds, bay, 0, bays->bodies)},
+	             {PER_COLLIDABLE, bay_item(bays->worlds, bay, 0, bays->collidables)},
+	             {PER_CONTACT, bay_item(bays->worlds, bay, 0, 1 << bays->contact_bits)},
+	             {PER_JOINT, bay_item(bays->worlds, bay, 0, 1 << bays->joint_bits)}};
+	const int used[] = {from->bodies, from->collidables, from->contacts, from->joints};
+	for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k)
+		for (int pool = 0; pool < POOL_COUNT; ++pool)
+			if (pool_info[pool].per == kinds[k].per && pool_info[pool].role <= STANDING && used[k] > 0)
+				TRY(b->f->write(b, (PoolId)pool, kinds[k].first, used[k], template_item(from, (PoolId)pool, 0)));
+	const Counters* c = &from->pipeline.counters;
+	BayState state = {.press = {c->press[0], c->press[1]},
+	                  .ways = c->ways,
+	                  .taut = c->taut,
+	                  .taut_seen = from->pipeline.taut,
+	                  .joints_dirty = c->joints_dirty && from->contacts > 0};
+	return b->f->write(b, POOL_bay_state, bay, 1, &state);
+}
+
+static scree_status fill_attributes(Block* block, int templates)
+{
+	int rows = 0;
+	for (int t = 0; t < templates; ++t)
+		rows = block->templates[t].first_attribute + block->templates[t].attributes;
+	TRY(pipeline_reserve(&block->pipeline, PER_ATTRIBUTE, rows));
+	for (int t = 0; t < templates; ++t)
+		for (int pool = 0; pool < POOL_COUNT; ++pool)
+			if (pool_info[pool].per == PER_ATTRIBUTE && pool_info[pool].role <= STANDING)
+				TRY(write_pool(block, (PoolId)pool, block->templates[t].first_attribute, block->templates + t));
+	// pairs of materials and paths are those of the only template that has any
+	for (int t = 0; t < templates; ++t)
+	{
+		const Template* from = block->templates + t;
+		if (from->count[POOL_material_pair] > 0)
+			TRY(pipeline_reserve(&block->pipeline, PER_MATERIAL_PAIR, from->count[POOL_material_pair]));
+		TRY(write_pool(block, POOL_material_pair, 0, from));
+		if (from->count[POOL_path_sample] > 0)
+			TRY(pipeline_reserve(&block->pipeline, PER_PATH_SAMPLE, from->count[POOL_path_sample]));
+		TRY(write_pool(block, POOL_path_sample, 0, from));
+	}
+	return SCREE_OK;
+}
+
+static scree_status fill_bays(Block* block)
+{
+	Backend* b = block->backend;
+	Bay* rows = scree_allocate(sizeof *rows * (size_t)block->worlds);
+	if (!rows)
+		return no_memory();
+	for (int k = 0; k < block->worlds; ++k)
+	{
+		const Template* from = block->templates + block->template_of[block->first + k];
+		rows[k] = (Bay){from->bodies, from->collidables, from->first_attribute, 0};
+	}
+	scree_status status = b->f->write(b, POOL_bay, 0, block->worlds, rows);
+	scree_release(rows);
+	return status;
+}
+
+// Writes the pairs of bodies that users keep from touching, for each world.
+static scree_status fill_excluded(Block* block)
+{
+	Backend* b = block->backend;
+	int count = 0;
+	for (int k = 0; k < block->worlds; ++k)
+		count += block->templates[block->template_of[block->first + k]].count[POOL_excluded];
+	block->pipeline.excluded = count;
+	if (count == 0)
+		return SCREE_OK;
+	Word64* pairs = scree_allocate(sizeof *pairs * (size_t)count);
+	if (!pairs)
+		return no_memory();
+	for (int k = 0, n = 0; k < block->worlds; ++k)
+	{
+		const Template* from = block->templates + block->template_of[block->first + k];
+		Word64 first = (Word64)(k * block->pipeline.bays.bodies);
+		for (int i = 0; i < from->count[POOL_excluded]; ++i)
+			pairs[n++] = from->image.excluded[i] == NO_PAIR ? NO_PAIR : from->image.excluded[i] + (first << 32 | first);
+	}
+	scree_status status = pipeline_reserve(&block->pipeline, PER_EXCLUDED, count);
+	if (status == SCREE_OK)
+		status = b->f->write(b, POOL_excluded, 0, count, pairs);
+	scree_release(pairs);
+	return status;
+}
+
+// Appends the chains and branches of a world to those of the block. joint, body: first items of its bay.
+static void add_chains(ChainLayout* to, const Template* from, int joint, int body, int* joints, int* nodes)
+{
+	const ChainLayout* chains = &from->chains.layout;
+	for (int k = 0; k < chains->count; ++k)
+	{
+		ChainRow row = chains->rows[k];
+		for (int n = 0; n < row.count; ++n)
+			to->joints[*joints + n] = joint + chains->joints[row.first + n];
+		row.first = *joints;
+		*joints += row.count;
+		to->rows[to->count++] = row;
+	}
+	for (int k = 0; k < chains->branch_count; ++k)
+	{
+		ChainRow branch = chains->branches[k];
+		for (int n = 0; n < branch.count; ++n)
+		{
+			int other = chains->node_joints[branch.first + n];
+			BranchNode node = chains->nodes[branch.first + n];
+			node.body += body;
+			to->nodes[*nodes + n] = node;
+			to->node_joints[*nodes + n] = other >= 0 ? joint + other : -1;
+		}
+		branch.first = *nodes;
+		*nodes += branch.count;
+		to->branches[to->branch_count++] = branch;
+	}
+	to->node_count = *nodes;
+}
+
+static scree_status place_chains(Block* block, ChainLayout* all, int joint_slots)
+{
+	Backend* b = block->backend;
+	const Bays* bays = &block->pipeline.bays;
+	int joints = 0, nodes = 0;
+	memset(all->spots, -1, sizeof(int) * (size_t)joint_slots);
+	for (int k = 0; k < block->worlds; ++k)
+		add_chains(all, block->templates + block->template_of[block->first + k], k << bays->joint_bits,
+		           k * bays->bodies, &joints, &nodes);
+	chain_layout(all, b->chain_lanes, b->groups);
+	TRY(chains_upload(&block->pipeline, all));
+	return b->f->write(b, POOL_joint_spot, 0, joint_slots, all->spots);
+}
+
+static scree_status fill_chains(Block* block)
+{
+	const Bays* bays = &block->pipeline.bays;
+	size_t slots = (size_t)block->worlds << bays->joint_bits, rows = 0, joints = 0, branches = 0, nodes = 0;
+	for (int k = 0; k < block->worlds; ++k)
+	{
+		const ChainSearch* chains = &block->templates[block->template_of[block->first + k]].chains;
+		rows += (size_t)chains->layout.count;
+		joints += (size_t)chains->joints;
+		branches += (size_t)chains->layout.branch_count;
+		nodes += (size_t)chains->layout.node_count;
+	}
+	char* memory = scree_allocate(nodes * (sizeof(BranchNode) + sizeof(int)) + (rows + branches) * sizeof(ChainRow) +
+	                              (rows + branches) * sizeof(ChainRange) + (joints + slots) * sizeof(int) + 1);
+	if (!memory)
+		return no_memory();
+	ChainLayout all = {.nodes = (BranchNode*)memory};
+	all.ranges = (ChainRange*)(all.nodes + nodes);
+	all.rows = (ChainRow*)(all.ranges + rows + branches);
+	all.branches = all.rows + rows;
+	all.node_joints = (int*)(all.branches + branches);
+	all.joints = all.node_joints + nodes;
+	all.spots = all.joints + joints;
+	scree_status status = place_chains(block, &all, (int)slots);
+	scree_release(memory);
+	return status;
+}
+
+scree_status block_fill(Block* block, int templates)
+{
+	Backend* b = block->backend;
+	Pipeline* p = &block->pipeline;
+	TRY(fill_attributes(block, templates));
+	TRY(fill_bays(block));
+	TRY(fill_excluded(block));
+	TRY(fill_chains(block));
+	for (int t = 0; t < templates; ++t)
+		if (block->spare_of[t] >= 0)
+			TRY(fill_spare(block, block->templates + t, block->spare_of[t]));
+	Counters* c = &p->counters;
+	bool joints = false;
+	for (int t = 0; t < templates; ++t)
+		joints |= block->spare_of[t] >= 0 && block->templates[t].joints > 0;
+	c->contacts = block->worlds << p->bays.contact_bits;
+	c->joints = joints ? block->worlds << p->bays.joint_bits : 0;
+	c->joints_dirty = joints || p->excluded > 0 ? INT32_MAX : 0;
+	c->joint_moved = joints;
+	p->dirty = c->joints_dirty > 0;
+	return b->f->write(b, POOL_counters, 0, 1, c);
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// template.c -- reads a world as the template of worlds of a batch, into host memory.
+#include "batch/template.h"
+#include "constraints/constraint_kinds.h"
+#include "platform/error.h"
+#include "step/bay_layout.h"
+#include "world/chain/chains.h"
+#include "world/device/lasting.h"
+#include "world/failure.h"
+#include "world/objects/fields.h"
+#include "world/objects/hidden_hash.h"
+#include "world/tuning_members.h"
+#include "world/upload/upload.h"
+#include <string.h>
+
+static const size_t offsets[POOL_COUNT] = {
+#define X(type, name, per, role) offsetof(Pools, name),
+#include "pools/pools.def"
+#undef X
+};
+
+static char** memory_of(Template* made, PoolId pool) { return (char**)((char*)&made->image + offsets[pool]); }
+
+void* template_item(const Template* from, PoolId pool, int first)
+{
+	char* memory;
+	memcpy(&memory, (const char*)&from->image + offsets[pool], sizeof memory);
+	return memory + (size_t)first * pool_info[pool].bytes;
+}
+
+static scree_status refuse_template(const char* function, int number, const char* what)
+{
+	return fail(SCREE_ERROR_INVALID, "%s: template %d has %s, which worlds of a batch cannot have yet", function,
+	            number, what);
+}
+
+static scree_status check_template(const scree_world* world, const char* function, int number)
+{
+	const Pipeline* p = &world->pipeline;
+	if (world->def.sleep || p->sleeps)
+		return refuse_template(function, number, "bodies that may sleep");
+	if (world->fields.slots.alive > 0)
+		return refuse_template(function, number, "fields");
+	if (world->sensors.alive > 0)
+		return refuse_template(function, number, "sensors");
+	if (p->asks)
+		return refuse_template(function, number, "contacts that need approval");
+	if (world->target_count > 0)
+		return refuse_template(function, number, "targets of kinematic bodies");
+	if (world->bodies.used > MOST_BAY_ITEMS || world->collidables.used > MOST_BAY_ITEMS ||
+	    p->counters.contacts > MOST_BAY_ITEMS || world->joints.used > MOST_BAY_ITEMS)
+		return fail(SCREE_ERROR_INVALID,
+		            "%s: template %d has %d bodies, %d collidables, %d contacts and %d joints, but must have at most "
+		            "%d of each",
+		            function, number, world->bodies.used, world->collidables.used, p->counters.contacts,
+		            world->joints.used, MOST_BAY_ITEMS);
+	return SCREE_OK;
+}
+
+static bool is_read(PoolId pool)
+{
+	switch (pool_info[pool].per)
+	{
+	case PER_ATTRIBUTE:
+	case PER_MATERIAL_PAIR:
+	case PER_COLLIDABLE:
+	case PER_BODY:
+	case PER_EXCLUDED:
+	case PER_PATH_SAMPLE:
+#define CONSTRAINT_KIND(kind, Kind, KIND) \
+	case PER_##KIND:                      \
+	case PER_##KIND##_BLOCK:
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+		return pool_info[pool].role <= STANDING;
+	default:
+		return false;
+	}
+}
+
+static scree_status read_pools(scree_world* world, const char* function, Template* made)
+{
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		if (!is_read((PoolId)pool))
+			continue;
+		int count = lasting_items(world, pool_info[pool].per);
+		char* memory = scree_allocate((size_t)(count + 1) * pool_info[pool].bytes);
+		if (!memory)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d items of a template", function, count);
+		*memory_of(made, (PoolId)pool) = memory;
+		made->count[pool] = count;
+		if (count > 0)
+			TRY(world_note(world, world->backend->f->read(world->backend, (PoolId)pool, 0, count, memory)));
+	}
+	return SCREE_OK;
+}
+
+// Moves the kept values of constraints from their rows to their slots. A joint that was destroyed since the last step still has its
+// constraint, which the next step ends.
+static void leave_places(Template* made)
+{
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                         \
+	for (int k = 0; k < made->count[POOL_##kind##_place]; ++k)                    \
+	{                                                                             \
+		if (made->image.kind##_color[k] >= 0 && made->image.kind##_place[k] >= 0) \
+			kind##_keep(&made->image, k, made->image.kind##_place[k]);            \
+		made->image.kind##_place[k] = -1;                                         \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+}
+
+static void read_settings(const scree_world* world, Template* made)
+{
+	made->request = (StepRequest){.gravity = world->def.gravity,
+	                              .tuning = {.size = 0},
+	                              .bodies = world->bodies.used,
+	                              .collidables = world->collidables.used,
+	                              .kinematic = world->kinematic_count,
+	                              .contact_limit = world->def.contact_limit,
+	                              .details = world->def.contact_details,
+	                              .reports = world->reports.reporters > 0,
+	                              .hit_speed = world->def.hit_speed,
+	                              .hit_impulse = world->def.hit_impulse};
+	made->request.tuning = tuning_of(&world->def);
+}
+
+scree_status template_read(scree_world* world, const char* function, int number, Template* made)
+{
+	*made = (Template){.bodies = 0};
+	TRY(world_upload_to_step(world));
+	TRY(check_template(world, function, number));
+	made->bodies = world->bodies.used;
+	made->collidables = world->collidables.used;
+	made->attributes = world->edits.attribute_rows;
+	made->pipeline = world->pipeline;
+	Counters* c = &made->pipeline.counters;
+	TRY(world_note(world, world->backend->f->read(world->backend, POOL_counters, 0, 1, c)));
+	made->contacts = c->contacts;
+	made->joints = c->joints;
+	made->hidden = world_hidden_hash(world);
+	read_settings(world, made);
+	size_t kinematics = (size_t)world->kinematic_count;
+	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));
+	if (!made->kinematics)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a template", function);
+	if (kinematics > 0)
+		memcpy(made->kinematics, world->kinematics, sizeof(int) * kinematics);
+	TRY(read_pools(world, function, made));
+	leave_places(made);
+	return chains_find(world, &made->chains, &made->chain_memory);
+}
+
+void template_shift(Template* made, int first)
+{
+	made->first_attribute = first;
+	for (int k = 0; k < made->collidables; ++k)
+	{
+		made->image.collidable_attribute[k] += first;
+		made->image.world_shape[k].attribute += first;
+	}
+}
+
+void template_close(Template* made)
+{
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+		scree_release(*memory_of(made, (PoolId)pool));
+	scree_release(made->chain_memory);
+	scree_release(made->kinematics);
+	*made = (Template){.bodies = 0};
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// template.h -- reads a world as the template of worlds of a batch, into host memory.
+#ifndef BATCH_TEMPLATE_H
+#define BATCH_TEMPLATE_H
+#include "world/chain/chain_search.h"
+#include "world/world.h"
+
+typedef struct
+{
+	Pools image;           // the lasting items of the world, and free slots; indices are those within the world
+	int count[POOL_COUNT]; // number of items of each pool
+	int bodies, collidables, contacts, joints, attributes; // numbers of slots in use
+	int first_attribute;                                   // index of its first attribute in the pools of a batch
+	Pipeline pipeline;   // flags, counters and constants of the last step; owns no memory
+	StepRequest request; // settings of a step; without arrays
+	uint64_t hidden;     // the part of the hash that only the host has
+	ChainSearch chains;  // chains and branches
+	char* chain_memory;
+	int* kinematics; // indices of the kinematic bodies
+} Template;
+
+// Reads a world. function, number: name of the caller, and index of the world among its templates, for messages.
+scree_status template_read(scree_world* world, const char* function, int number, Template* made);
+void template_close(Template* made);
+
+// Numbers the attributes of the image from `first` on.
+void template_shift(Template* made, int first);
+
+// Returns the address of item `first` of a pool of the image.
+void* template_item(const Template* from, PoolId pool, int first);
+
+#endif

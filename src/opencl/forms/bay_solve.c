@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// bay_solve.c -- launches the solve of a batch as one kernel (bay_solve.cl).
+#include "opencl/forms/bay_solve.h"
+#include "opencl/buffer.h"
+#include "opencl/forms/relay.h"
+#include "opencl/launch.h"
+#include "opencl/queue.h"
+#include "platform/error.h"
+
+#define GROUPS_A_UNIT 4 // number of work-groups per compute unit below which a group gets fewer worlds
+
+static const char* const names[BAY_KERNELS] = {"bay_solve", "bay_solve_hinges", "bay_solve_joints"};
+
+scree_status bay_solve_open(OpenCl* d)
+{
+	d->solves_bays = true;
+	for (int k = 0; k < BAY_KERNELS; ++k)
+	{
+		TRY(kernel_create(d, names[k], BAY_GROUP, &d->bay_kernels[k]));
+		d->solves_bays &= d->bay_kernels[k].group == BAY_GROUP;
+	}
+	return SCREE_OK;
+}
+
+void bay_solve_close(OpenCl* d)
+{
+	for (int k = 0; k < BAY_KERNELS; ++k)
+		RELEASE(d->failure, Kernel, d->bay_kernels[k].kernel);
+}
+
+scree_status bay_solve_bind(OpenCl* d, Per per)
+{
+	for (int k = 0; k < BAY_KERNELS && d->solves_bays; ++k)
+		TRY(kernel_bind(d, per, &d->bay_kernels[k]));
+	return SCREE_OK;
+}
+
+bool bay_solve_fits(const OpenCl* d, const Solve* solve)
+{
+	const Bays* bays = &d->constants.step.bays;
+	return bays->worlds > 0 && bays->bodies <= BAY_BODIES && solve->counters->hubs == 0 && d->solves_bays;
+}
+
+scree_status bay_solve_reserve(OpenCl* d, const Solve* solve)
+{
+	return scratch_reserve(d, &d->relay.stream,
+	                       (size_t)solve_constraints(solve) * STREAM_FLOAT4S * sizeof(cl_float4) + 1);
+}
+
+// Returns the number of worlds of a work-group.
+static cl_int group_worlds(const OpenCl* d)
+{
+	const Bays* bays = &d->constants.step.bays;
+	cl_int most = BAY_BODIES / bays->bodies, groups = GROUPS_A_UNIT * d->device.about.compute_units,
+	       share = (bays->worlds + groups - 1) / groups;
+	return share < most ? share : most;
+}
+
+scree_status bay_solve_run(OpenCl* d, const Solve* solve)
+{
+	const Step* step = &d->constants.step;
+	Kernel* kernel = &d->bay_kernels[!step->joints ? BAY_COLORS : solve_hinges(d) ? BAY_HINGES : BAY_JOINTS];
+	cl_int stride = solve_constraints(solve), passes = schedule_passes(solve->substeps, solve->bounces);
+	cl_int bays = group_worlds(d);
+	const cl_int* values[] = {&stride, &bays, &solve->substeps, &passes, &solve->bound};
+	TRY(kernel_step(d, kernel));
+	TRY(CALL(d->failure, SetKernelArg, kernel->kernel, ARGUMENT_STEP + 1, sizeof(cl_mem), &d->relay.stream.buffer));
+	for (cl_uint k = 0; k < 5; ++k)
+		TRY(CALL(d->failure, SetKernelArg, kernel->kernel, ARGUMENT_STEP + 2 + k, sizeof(cl_int), values[k]));
+	size_t groups = ((size_t)step->bays.worlds + (size_t)bays - 1) / (size_t)bays;
+	return launch(d, kernel->kernel, groups * kernel->group, kernel->group);
+}

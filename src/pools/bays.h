@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// bays.h -- returns the bays of items: in the pools of a batch, each world has a bay, a range of items of each kind.
+//
+// All bays of a kind have the same number of items, so the bay of an item follows from its index. The bits of a world
+// depend only on indices within its bay. Outside of a batch all members of Bays are 0, and every item is in bay 0.
+#ifndef BAYS_H
+#define BAYS_H
+#include "pools/pools.h"
+
+// Returns i divided by `size`. part: 1 / size; 0 for the quotient 0. An index below 2^24 is exact as a float, so the
+// rounded product is off by at most one.
+INLINE int bay_of(int i, int size, float part)
+{
+	int bay = (int)((float)i * part), rest = i - bay * size;
+	return part > 0.0f ? bay + (rest >= size) - (rest < 0) : 0;
+}
+
+INLINE int bay_of_body(const Pools* p, int i) { return bay_of(i, p->step.bays.bodies, p->step.bays.body_part); }
+
+INLINE int bay_of_collidable(const Pools* p, int i)
+{
+	return bay_of(i, p->step.bays.collidables, p->step.bays.collidable_part);
+}
+
+// Returns the first item of the spare bays, of a kind whose bays have `size` items: the first whole group behind the
+// worlds, because wide kernels also process the padding behind the last world.
+INLINE int bay_spare(int worlds, int size) { return (worlds * size + GROUP_ITEMS - 1) / GROUP_ITEMS * GROUP_ITEMS; }
+
+// Returns item k of a bay of a kind whose bays have `size` items.
+INLINE int bay_item(int worlds, int bay, int k, int size)
+{
+	return (bay < worlds ? bay * size : bay_spare(worlds, size) + (bay - worlds) * size) + k;
+}
+
+// Returns the ground, the motionless body of a world, for a collidable without a body.
+INLINE int bay_ground(const Pools* p, int collidable) { return bay_of_collidable(p, collidable) * p->step.bays.bodies; }
+
+// Returns the index of a body within its bay.
+INLINE int bay_body(const Pools* p, int i) { return i - bay_of_body(p, i) * p->step.bays.bodies; }
+
+// Return the state of the world of a body, of a contact slot or of a joint slot, in a batch.
+INLINE GLOBAL BayState* bay_state_of(const Pools* p, int body) { return p->bay_state + bay_of_body(p, body); }
+INLINE GLOBAL BayState* bay_of_contact(const Pools* p, int slot)
+{
+	return p->bay_state + (slot >> p->step.bays.contact_bits);
+}
+INLINE GLOBAL BayState* bay_of_joint(const Pools* p, int slot)
+{
+	return p->bay_state + (slot >> p->step.bays.joint_bits);
+}
+
+#endif

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// bay_copy.h -- copies worlds of a batch from bay to bay: resets, saves and loads of worlds, without the host.
+//
+// A bay that is stepped is live. The constraints of its contacts and joints have rows, at places that the layout by color
+// assigns. A bay that is not stepped is spare: its constraints have no places, their kept values are at their slots, and
+// its items contain indices within the bay. A constraint that comes to a live bay gets a place behind those of the layout,
+// and the next step makes a new layout.
+#ifndef BAY_COPY_H
+#define BAY_COPY_H
+#include "constraints/joint_one.h"
+#include "stages/color/color.h"
+
+typedef struct // a copy, and the differences of indices in its bays
+{
+	int from, to;                  // items
+	int body, collidable, contact; // to add to indices
+	int live;                      // 1 if the bay of `to` is live
+} BayCopy;
+
+// Returns copy number n, for item k of a kind whose bays have `size` items.
+INLINE BayCopy bay_copy(const Pools* p, int n, int k, int size)
+{
+	const Bays* bays = &p->step.bays;
+	Int2 copy = p->bay_copy[n];
+	int from = copy.x < bays->worlds ? copy.x : 0, to = copy.y < bays->worlds ? copy.y : 0;
+	BayCopy c;
+	c.from = bay_item(bays->worlds, copy.x, k, size);
+	c.to = bay_item(bays->worlds, copy.y, k, size);
+	c.body = (to - from) * bays->bodies;
+	c.collidable = (to - from) * bays->collidables;
+	c.contact = (to - from) * (1 << bays->contact_bits);
+	c.live = copy.y < bays->worlds;
+	return c;
+}
+
+// Item: a body of a copy.
+KERNEL(bay_copy_body)
+{
+	const Bays* bays = &p->step.bays;
+	int n = bay_of_body(p, i);
+	BayCopy c = bay_copy(p, n, i - n * bays->bodies, bays->bodies);
+	item_move(p, PER_BODY, c.to, c.from);
+	if (i == n * bays->bodies)
+	{
+		BayState state = p->bay_state[p->bay_copy[n].x];
+		p->bay_state[p->bay_copy[n].y] = state;
+		if (c.live && state.joints_dirty)
+			raise_int(&p->counters->joints_dirty, 0x7fffffff);
+	}
+	if (p->continuous_body[c.to].first > 0)
+		p->continuous_body[c.to].first += c.collidable;
+	p->static_contact[c.to] += c.contact; // also of a body without such a contact; its value is compared with the pair
+	body_stand(p, c.to);
+}
+
+// Item: a collidable of a copy.
+KERNEL(bay_copy_collidable)
+{
+	const Bays* bays = &p->step.bays;
+	int n = bay_of_collidable(p, i);
+	BayCopy c = bay_copy(p, n, i - n * bays->collidables, bays->collidables);
+	item_move(p, PER_COLLIDABLE, c.to, c.from);
+	if (p->collidable_body[c.to] >= 0)
+		p->collidable_body[c.to] += c.body;
+	if (p->next_collidable[c.to] > 0)
+		p->next_collidable[c.to] += c.collidable;
+	p->world_shape[c.to].body += c.body;
+}
+
+// Gives the constraint that was copied to slot `to` a place: that of the constraint before, if it had the same color, or
+// one behind the layout. from_place, before: places of the source, and of the constraint before, or -1. color: color of
+// the latter. same: 1 if constraints of equal color may exchange places.
+#define BAY_PLACE(kind, KIND, before, color, same)                              \
+	int from_place = p->kind##_place[c.to], place = -1;                         \
+	if (from_place >= 0)                                                        \
+		kind##_keep(p, c.to, from_place);                                       \
+	if (c.live && p->kind##_color[c.to] >= 0)                                   \
+	{                                                                           \
+		place = before;                                                         \
+		if (place < 0 || color != p->kind##_color[c.to] || !(same))             \
+		{                                                                       \
+			place = p->counters->layout[CONSTRAINT_##KIND].begin[COLORS + 1] +  \
+			        atomic_add_int(&p->counters->placed[CONSTRAINT_##KIND], 1); \
+			raise_int(&p->counters->stale_layout[CONSTRAINT_##KIND], 1);        \
+		}                                                                       \
+		p->kind##_place_slot[place] = c.to;                                     \
+		kind##_row(p, body_a, place) = p->kind##_bodies[c.to].x;                \
+		kind##_row(p, body_b, place) = p->kind##_bodies[c.to].y;                \
+		kind##_set_place(p, c.to, place);                                       \
+		kind##_put_back(p, c.to, place);                                        \
+	}                                                                           \
+	else if (before >= 0)                                                       \
+		raise_int(&p->counters->stale_layout[CONSTRAINT_##KIND], 1);            \
+	p->kind##_place[c.to] = place;
+
+// Item: a contact slot of a copy.
+KERNEL(bay_copy_contact)
+{
+	const Bays* bays = &p->step.bays;
+	int size = 1 << bays->contact_bits;
+	BayCopy c = bay_copy(p, i >> bays->contact_bits, i & (size - 1), size);
+	int used = p->pair[c.to].x >= 0, color_before = p->contact_color[c.to], place_before = p->contact_place[c.to];
+	item_move(p, PER_CONTACT, c.to, c.from);
+	Int2 pair = p->pair[c.to], bodies = p->contact_bodies[c.to];
+	int uses = pair.x >= 0;
+	if (uses)
+	{
+		p->pair[c.to] = make_int2(pair.x + c.collidable, pair.y + c.collidable);
+		p->contact_bodies[c.to] = make_int2(bodies.x + c.body, bodies.y + c.body);
+	}
+	else
+	{
+		p->contact_color[c.to] = COLOR_NONE;
+		p->contact_place[c.to] = -1;
+	}
+	if (c.live && uses != used)
+		atomic_add_int(&p->counters->alive, uses - used);
+	if (c.live && p->contact_color[c.to] == COLORS)
+		raise_int(&p->counters->copied_spokes, 1);
+	BAY_PLACE(contact, CONTACT, place_before, color_before, color_before < COLORS)
+}
+
+// Item: a joint slot of a copy. The spot in a chain is that of the bay, not of the world.
+KERNEL(bay_copy_joint)
+{
+	const Bays* bays = &p->step.bays;
+	int size = 1 << bays->joint_bits;
+	BayCopy c = bay_copy(p, i >> bays->joint_bits, i & (size - 1), size);
+	int spot = p->joint_spot[c.to], color_before = p->joint_color[c.to], place_before = p->joint_place[c.to];
+	int flags_before = p->joint_flags[c.to];
+	item_move(p, PER_JOINT, c.to, c.from);
+	Int2 bodies = p->joint_bodies[c.to];
+	p->joint_spot[c.to] = spot;
+	p->joint_bodies[c.to] = make_int2(bodies.x + c.body, bodies.y + c.body);
+	p->joint_data[c.to].body_a += c.body;
+	p->joint_data[c.to].body_b += c.body;
+	int flags = p->joint_flags[c.to], changed = c.live ? flags_before ^ flags : 0;
+	int begins = joint_wanted(flags) != (p->joint_color[c.to] != COLOR_NONE) || flags & (JOINT_NEW | JOINT_RESTARTS);
+	if (changed & (JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN)) // the pairs that joints keep apart
+		raise_int(&p->counters->joints_dirty, 0x7fffffff);
+	else if (c.live && (changed || begins))
+		raise_int(&p->counters->joints_copied, 1);
+	BAY_PLACE(joint, JOINT, place_before, color_before, color_before < COLORS || spot >= 0)
+}
+
+// Item: a contact slot, or a joint slot. Makes it free.
+KERNEL(bay_clear_contact)
+{
+	p->pair[i] = make_int2(-1, -1);
+	p->contact_color[i] = COLOR_NONE;
+	p->contact_place[i] = -1;
+}
+
+KERNEL(bay_clear_joint)
+{
+	p->joint_color[i] = COLOR_NONE;
+	p->joint_place[i] = -1;
+}
+
+// Item: a contact slot of a bay that is moved because bays get more slots. The list has the first slots of the bay, before
+// and after. argument: binary logarithm of the number of slots before.
+KERNEL(bay_move_contact)
+{
+	Int2 move = p->bay_copy[i >> p->argument];
+	int k = i & ((1 << p->argument) - 1), from = move.x + k, to = move.y + k;
+	if (from == to || p->pair[from].x < 0)
+		return;
+	item_move(p, PER_CONTACT, to, from);
+	if (p->contact_place[to] >= 0)
+		p->contact_place_slot[p->contact_place[to]] = to;
+	p->pair[from] = make_int2(-1, -1);
+	p->contact_color[from] = COLOR_NONE;
+	p->contact_place[from] = -1;
+}
+
+// Item: one. Sets the number of contact slots of all live bays. argument: the number.
+KERNEL(bay_moved_contacts)
+{
+	p->counters->contacts = p->argument;
+	p->counters->live = p->argument;
+	(void)i;
+}
+
+#endif

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// bay_layout.c -- lays out the worlds of a batch in pools, copies worlds from bay to bay, and computes their hashes.
+#include "step/bay_layout.h"
+#include "platform/error.h"
+#include "pools/bays.h"
+#include "step/constants.h"
+#include "step/dispatch.h"
+#include "step/reserve.h"
+#include "step/tree_maintenance.h"
+
+static int bits_of(int items)
+{
+	int bits = 0;
+	while (1 << bits < items)
+		++bits;
+	return bits;
+}
+
+// Returns the constants for kernels between steps.
+static Step step_between(const Pipeline* pipeline)
+{
+	Step step = pipeline->step;
+	step_bays(&step, &pipeline->bays);
+	return step;
+}
+
+static scree_status run_one(Pipeline* pipeline, const Step* step, int kernel, int begin, int end, int argument)
+{
+	Backend* b = pipeline->backend;
+	Run run = {.kernel_id = kernel, .begin = begin, .end = end, .count = NO_COUNT, .argument = argument};
+	return b->f->run(b, step, &run, 1);
+}
+
+// Reserves items of a kind for all bays, with one more, which scans need.
+static scree_status reserve(Pipeline* pipeline, Per per, int64_t end)
+{
+	if (end > INT32_MAX / 4)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "a batch of %lld items of a kind is beyond what an index can name",
+		            (long long)end);
+	return pipeline_reserve(pipeline, per, (int)end + 1);
+}
+
+// Returns the end of the items of all bays of a kind.
+static int64_t bays_end(int worlds, int spares, int size) { return bay_spare(worlds, size) + (int64_t)spares * size; }
+
+scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
+{
+	Backend* b = pipeline->backend;
+	Bays bays = {.worlds = sizes->worlds, .bodies = sizes->bodies, .collidables = sizes->collidables};
+	bays.contact_bits = bits_of(sizes->contacts);
+	bays.joint_bits = bits_of(sizes->joints);
+	bays.body_part = 1.0f / (float)bays.bodies;
+	bays.collidable_part = 1.0f / (float)bays.collidables;
+	int64_t worlds = sizes->worlds, spares = sizes->spares, all = worlds + spares;
+	if (all * bays.bodies > MAX_ITEMS / 2 || all * bays.collidables > MAX_ITEMS / 2 ||
+	    all << bays.contact_bits > MAX_CONTACTS / 2 || all << bays.joint_bits > MAX_ITEMS / 2)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY,
+		            "%d worlds of %d bodies, %d collidables and %d contacts have too many items", sizes->worlds,
+		            sizes->bodies, sizes->collidables, sizes->contacts);
+	pipeline->bays = bays;
+	pipeline->spare_bays = sizes->spares;
+	TRY(reserve(pipeline, PER_BODY, bays_end(bays.worlds, sizes->spares, bays.bodies)));
+	TRY(reserve(pipeline, PER_COLLIDABLE, bays_end(bays.worlds, sizes->spares, bays.collidables)));
+	TRY(reserve(pipeline, PER_CONTACT, bays_end(bays.worlds, sizes->spares, 1 << bays.contact_bits)));
+	TRY(reserve(pipeline, PER_JOINT, bays_end(bays.worlds, sizes->spares, 1 << bays.joint_bits)));
+	TRY(pipeline_reserve(pipeline, PER_BAY, (int)all));
+	Step step = step_between(pipeline);
+	TRY(run_one(pipeline, &step, KERNEL_bay_clear_contact, 0, b->capacity[PER_CONTACT], 0));
+	TRY(run_one(pipeline, &step, KERNEL_bay_clear_joint, 0, b->capacity[PER_JOINT], 0));
+
+	// leaf i of tree 0, the only one, is that of collidable i
+	int leaves = bays.worlds * bays.collidables;
+	int* leaf = scree_allocate(sizeof *leaf * (size_t)leaves);
+	if (!leaf)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d leaves", leaves);
+	for (int k = 0; k < leaves; ++k)
+		leaf[k] = k;
+	scree_status status = b->f->write(b, POOL_leaf, 0, leaves, leaf);
+	scree_release(leaf);
+	pipeline->trees[0].tree.leaves = leaves;
+	tree_touch(pipeline, 0);
+	return status;
+}
+
+scree_status bays_copy(Pipeline* pipeline, const Int2* copies, int count)
+{
+	Backend* b = pipeline->backend;
+	const Bays* bays = &pipeline->bays;
+	const KindLayout* layout = pipeline->counters.layout;
+	if (count == 0)
+		return SCREE_OK;
+	int most = pipeline->placed + (count << bays->contact_bits);
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		int bits = kind == CONSTRAINT_CONTACT ? bays->contact_bits : bays->joint_bits;
+		TRY(pipeline_reserve(pipeline, kind_info[kind].places,
+		                     layout[kind].begin[COLORS + 1] + pipeline->placed + (count << bits)));
+	}
+	pipeline->placed = most;
+	TRY(b->f->write(b, POOL_bay_copy, 0, count, copies));
+	Step step = step_between(pipeline);
+	TRY(run_one(pipeline, &step, KERNEL_bay_copy_body, 0, count * bays->bodies, 0));
+	TRY(run_one(pipeline, &step, KERNEL_bay_copy_collidable, 0, count * bays->collidables, 0));
+	TRY(run_one(pipeline, &step, KERNEL_bay_copy_contact, 0, count << bays->contact_bits, 0));
+	if (pipeline->counters.joints > 0)
+		TRY(run_one(pipeline, &step, KERNEL_bay_copy_joint, 0, count << bays->joint_bits, 0));
+	pipeline->split = false;
+	pipeline->edited = true;
+	pipeline->counters.changed = 1; // the next step must not begin its solve before it has read the counters
+	tree_touch(pipeline, 0);
+	return SCREE_OK;
+}
+
+scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts)
+{
+	Backend* b = pipeline->backend;
+	Bays *bays = &pipeline->bays, before = *bays;
+	int spares = pipeline->spare_bays;
+	bays->contact_bits = bits_of(contacts);
+	if (contacts > MOST_BAY_ITEMS || ((int64_t)(bays->worlds + spares) << bays->contact_bits) > MAX_CONTACTS / 2)
+	{
+		*bays = before;
+		return fail(SCREE_ERROR_CONTACT_LIMIT, "a world of a batch has %d contacts, more than %d", contacts,
+		            MOST_BAY_ITEMS);
+	}
+	int old = b->capacity[PER_CONTACT], all = bays->worlds + spares;
+	scree_status status = reserve(pipeline, PER_CONTACT, bays_end(bays->worlds, spares, 1 << bays->contact_bits));
+	Int2* moves = status == SCREE_OK ? scree_allocate(sizeof *moves * (size_t)all) : NULL;
+	if (!moves)
+	{
+		*bays = before;
+		return status ? status : fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to move %d worlds", all);
+	}
+	for (int k = 0; k < all; ++k)
+		moves[k] = make_int2(bay_item(before.worlds, k, 0, 1 << before.contact_bits),
+		                     bay_item(bays->worlds, k, 0, 1 << bays->contact_bits));
+	status = b->f->write(b, POOL_bay_copy, 0, all, moves);
+	step_bays(step, bays);
+	if (status == SCREE_OK)
+		status = run_one(pipeline, step, KERNEL_bay_clear_contact, old, b->capacity[PER_CONTACT], 0);
+	// from the last bay on, in runs that write to no slot that they or later runs read
+	for (int end = all, begin; end > 0 && status == SCREE_OK; end = begin)
+	{
+		int last = moves[end - 1].x + (1 << before.contact_bits);
+		for (begin = end - 1; begin > 0 && moves[begin - 1].y >= last; --begin)
+		{
+		}
+		if (moves[end - 1].y > moves[end - 1].x)
+			status = run_one(pipeline, step, KERNEL_bay_move_contact, begin << before.contact_bits,
+			                 end << before.contact_bits, before.contact_bits);
+	}
+	scree_release(moves);
+	TRY(status);
+	step->pair_capacity = b->capacity[PER_KEY];
+	step->contact_capacity = b->capacity[PER_CONTACT];
+	step_places(step, b);
+	pipeline->counters.contacts = bays->worlds << bays->contact_bits;
+	return run_one(pipeline, step, KERNEL_bay_moved_contacts, 0, 1, pipeline->counters.contacts);
+}
+
+scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes)
+{
+	Backend* b = pipeline->backend;
+	Step step = step_between(pipeline);
+	TRY(run_one(pipeline, &step, KERNEL_bay_hash, 0, pipeline->bays.worlds, 0));
+	return b->f->read(b, POOL_bay_hash, 0, pipeline->bays.worlds, hashes);
+}

@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: MIT
+// test_batch.c -- checks that each world of a batch has the bits that it has alone.
+//
+// Formula: hash(world in a batch, age) = hash(same world alone, age), for each template, number of worlds, place in the
+// batch, device, number of threads and lanes, after resets of any worlds at any time. age: steps since the last reset.
+#include "support/make_joints.h"
+#include "support/second_device.h"
+#include "support/small_scenes.h"
+
+#define MOST_TEMPLATES 32
+#define AGES           40 // number of steps of a template that are recorded
+
+typedef struct
+{
+	scree_world* worlds[MOST_TEMPLATES];
+	uint64_t hashes[MOST_TEMPLATES][AGES + 1]; // hashes of each template alone, by age
+	int count;
+	float dt;
+	int substeps;
+} Templates;
+
+static uint32_t random_state = 1;
+
+static int random_below(int end)
+{
+	random_state = random_state * 1664525u + 1013904223u;
+	return (int)((random_state >> 8) % (uint32_t)end);
+}
+
+static void record_alone(Templates* t)
+{
+	for (int k = 0; k < t->count; ++k)
+		for (int age = 0; age <= AGES; ++age)
+		{
+			t->hashes[k][age] = hash_of(t->worlds[k]);
+			OK(scree_world_step(t->worlds[k], t->dt, t->substeps));
+		}
+}
+
+static void close_templates(Templates* t)
+{
+	for (int k = 0; k < t->count; ++k)
+		scree_world_destroy(t->worlds[k]);
+	t->count = 0;
+}
+
+typedef struct
+{
+	const char* device;
+	int worlds, threads, lanes;
+} Place;
+
+static scree_batch* open_batch(Templates* t, const Place* place, int* template_of)
+{
+	scree_batch_def def = scree_batch_def_default();
+	scree_batch* batch;
+	def.worlds = place->worlds;
+	def.templates = t->worlds;
+	def.template_count = t->count;
+	def.template_of = template_of;
+	def.device = place->device;
+	def.threads = place->threads;
+	def.lanes = place->lanes;
+	for (int k = 0; k < def.worlds; ++k)
+		template_of[k] = random_below(t->count);
+	OK(scree_batch_create(&def, &batch));
+	assert_int_equal(scree_batch_get_worlds(batch), def.worlds);
+	return batch;
+}
+
+static void check_hashes(scree_batch* batch, const Templates* t, const int* template_of, const int* ages,
+                         const char* name)
+{
+	int worlds = scree_batch_get_worlds(batch);
+	uint64_t* hashes = malloc(sizeof *hashes * (size_t)worlds);
+	OK(scree_batch_get_hashes(batch, hashes));
+	for (int k = 0; k < worlds; ++k)
+		if (hashes[k] != t->hashes[template_of[k]][ages[k]])
+			fail_msg("%s: world %d of %d, template %d, age %d: hash %016llx, alone %016llx", name, k, worlds,
+			         template_of[k], ages[k], (unsigned long long)hashes[k],
+			         (unsigned long long)t->hashes[template_of[k]][ages[k]]);
+	free(hashes);
+}
+
+// Steps a batch, resets random worlds, and compares all worlds with their templates, which record_alone has stepped.
+static void check_batch(scree_batch* batch, const Templates* t, const int* template_of, int steps, const char* name)
+{
+	int worlds = scree_batch_get_worlds(batch);
+	int* ages = calloc((size_t)worlds, sizeof *ages);
+	uint8_t* mask = malloc((size_t)worlds);
+	for (int step = 0; step < steps; ++step)
+	{
+		int resets = 0;
+		for (int k = 0; k < worlds; ++k)
+		{
+			mask[k] = ages[k] == AGES || random_below(12) == 0;
+			ages[k] = mask[k] ? 0 : ages[k];
+			resets += mask[k];
+		}
+		if (resets > 0)
+			OK(scree_batch_reset(batch, mask));
+		if (step % 5 == 0)
+			check_hashes(batch, t, template_of, ages, name);
+		OK(scree_batch_step(batch, t->dt, t->substeps, 1));
+		for (int k = 0; k < worlds; ++k)
+			++ages[k];
+		if (step % 5 < 2)
+			check_hashes(batch, t, template_of, ages, name);
+	}
+	free(ages);
+	free(mask);
+}
+
+static scree_status try_templates(Templates* t)
+{
+	scree_batch_def def = scree_batch_def_default();
+	scree_batch* batch;
+	def.templates = t->worlds;
+	def.template_count = t->count;
+	scree_status status = scree_batch_create(&def, &batch);
+	scree_batch_destroy(batch);
+	return status;
+}
+
+// Opens a scene without sleep, after some of its steps.
+static scree_world* scene_world(const Scenario* scenario, int steps)
+{
+	scree_world_def def = scenario->def;
+	scree_world* world;
+	def.device = "cpu";
+	def.threads = 1;
+	def.sleep = false;
+	OK(scree_world_create(&def, &world));
+	scenario->build(world, scenario->context);
+	for (int step = 0; step < steps; ++step)
+	{
+		scenario->act(world, step, scenario->context);
+		OK(scree_world_step(world, scenario->dt, scenario->substeps));
+	}
+	return world;
+}
+
+static void scene_equals(const Scenario* scenario)
+{
+	Templates t = {.dt = scenario->dt, .substeps = scenario->substeps};
+	const Place places[] = {{"cpu", 6, 1, 0}, {"cpu", 3, 2, 1}, {second_device, 4, 0, 0}};
+	int template_of[3][8];
+	for (int first = 0; first <= 25; first += 25) // with joints that have not begun; in motion
+	{
+		for (t.count = 0; t.count < 2; ++t.count)
+			t.worlds[t.count] = scene_world(scenario, first == 0 ? 0 : first + 9 * t.count);
+		if (try_templates(&t) != SCREE_OK)
+		{
+			scree_world_destroy(t.worlds[--t.count]); // paths and pairs of materials: one template
+			if (try_templates(&t) != SCREE_OK)
+			{
+				assert_non_null(strstr(scree_error(), "which worlds of a batch cannot have yet"));
+				close_templates(&t);
+				return;
+			}
+		}
+		int used = second_device[0] ? 3 : 2;
+		scree_batch* batches[3];
+		random_state = (uint32_t)first + 7;
+		for (int k = 0; k < used; ++k)
+			batches[k] = open_batch(&t, places + k, template_of[k]);
+		record_alone(&t);
+		for (int k = 0; k < used; ++k)
+		{
+			check_batch(batches[k], &t, template_of[k], k == 2 || quick() ? 16 : 60, scenario->name);
+			scree_batch_destroy(batches[k]);
+		}
+		close_templates(&t);
+	}
+}
+
+static void scenes_are_equal(void** state)
+{
+	(void)state;
+	for_every_scene(scene_equals);
+	player_close(small_players);
+	player_close(small_players + 1);
+	assert_int_equal(scree_memory(), 0);
+}
+
+// Worlds of different scenes in one batch: flags that some need change no bit of others, whose bays are larger than needed.
+static void templates_are_mixed(void** state)
+{
+	static const char* const names[] = {"bridge",  "cars",     "chains",   "dominoes",   "gears",
+	                                    "machine", "ragdolls", "shapes",   "slope",      "tumbler",
+	                                    "washer",  "windmill", "pyramids", "alarm-clock"};
+	(void)state;
+	Templates t = {.dt = STEP, .substeps = SUBSTEPS};
+	Scenario scenarios[MOST_TEMPLATES];
+	int opened = 0;
+	for (size_t k = 0; k < sizeof names / sizeof *names; ++k)
+	{
+		Scenario* scenario = scenarios + opened;
+		*scenario = small_scene(names[k]);
+		++opened;
+		t.worlds[t.count] = scene_world(scenario, 20);
+		++t.count;
+		if (try_templates(&t) == SCREE_OK)
+			continue;
+		scree_world_destroy(t.worlds[--t.count]); // another gravity, or another length of a substep
+	}
+	assert_true(t.count >= 8);
+	const Place places[] = {{"cpu", 41, 1, 0}, {"cpu", 90, 2, 4}, {second_device, 30, 0, 0}};
+	scree_batch* batches[3] = {NULL};
+	int template_of[3][90];
+	for (int k = 0; k < 3; ++k)
+		if (places[k].device[0])
+			batches[k] = open_batch(&t, places + k, template_of[k]);
+	record_alone(&t);
+	for (int k = 0; k < 3; ++k)
+	{
+		if (batches[k])
+			check_batch(batches[k], &t, template_of[k], k == 2 ? 20 : 60, "mixed");
+		scree_batch_destroy(batches[k]);
+	}
+	close_templates(&t);
+	for (int k = 0; k < opened; ++k)
+		scene_free((Scene*)scenarios[k].context);
+	player_close(small_players);
+	player_close(small_players + 1);
+	assert_int_equal(scree_memory(), 0);
+}
+
+static scree_world* open_awake(float gravity_y)
+{
+	scree_world_def def = scree_world_def_default();
+	def.device = "cpu";
+	def.threads = 1;
+	def.gravity.y = gravity_y;
+	def.sleep = false;
+	return create_world(&def);
+}
+
+// Opens a world of boxes that fall on one another, so that contacts become more from step to step.
+static scree_world* falling_boxes(int boxes)
+{
+	scree_world* world = open_awake(-10.0f);
+	scree_body_def def = crate_def(world, SCREE_BODY_STATIC, 0.0f, -1.0f);
+	scree_body body;
+	OK(scree_body_create(world, &def, &body));
+	for (int k = 0; k < boxes; ++k)
+	{
+		def = crate_def(world, SCREE_BODY_DYNAMIC, 0.3f * (float)(k % 3), 1.0f + 1.3f * (float)k);
+		OK(scree_body_create(world, &def, &body));
+	}
+	return world;
+}
+
+// Bays whose contact slots are too few grow in the middle of a step, and nothing is lost.
+static void bays_grow(void** state)
+{
+	(void)state;
+	for (int device = 0; device < 2 && (device == 0 || second_device[0]); ++device)
+	{
+		Templates t = {.count = 2, .dt = STEP, .substeps = SUBSTEPS};
+		int template_of[70];
+		t.worlds[0] = falling_boxes(24);
+		t.worlds[1] = falling_boxes(3);
+		Place place = {device ? second_device : "cpu", 70, 2, 0};
+		scree_batch* batch = open_batch(&t, &place, template_of);
+		record_alone(&t);
+		check_batch(batch, &t, template_of, AGES, "growth");
+		scree_batch_destroy(batch);
+		close_templates(&t);
+	}
+	assert_int_equal(scree_memory(), 0);
+}
+
+// A world has the same bits at every place of batches of every size, and in many steps of one call.
+static void places_do_not_matter(void** state)
+{
+	(void)state;
+	static const int sizes[] = {1, 2, 3, 8, 64, 129, 400};
+	Templates t = {.count = 1, .dt = STEP, .substeps = SUBSTEPS};
+	scree_batch* batches[sizeof sizes / sizeof *sizes];
+	int template_of[400], ages[400];
+	t.worlds[0] = falling_boxes(6);
+	for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k)
+		batches[k] = open_batch(&t, &(Place){"cpu", sizes[k], 1 + (int)k % 2, k % 3 == 2 ? 1 : 0}, template_of);
+	record_alone(&t);
+	memset(template_of, 0, sizeof template_of);
+	for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k)
+	{
+		OK(scree_batch_step(batches[k], t.dt, t.substeps, AGES));
+		for (int w = 0; w < sizes[k]; ++w)
+			ages[w] = AGES;
+		check_hashes(batches[k], &t, template_of, ages, "places");
+		OK(scree_batch_reset(batches[k], NULL));
+		memset(ages, 0, sizeof ages);
+		check_hashes(batches[k], &t, template_of, ages, "places");
+		OK(scree_batch_step(batches[k], t.dt, t.substeps, 0));
+		check_hashes(batches[k], &t, template_of, ages, "places");
+		scree_batch_destroy(batches[k]);
+	}
+	close_templates(&t);
+	assert_int_equal(scree_memory(), 0);
+}
+
+// Steps of other lengths, and of 0 s, have the bits that they have in a world alone.
+static void lengths_may_change(void** state)
+{
+	(void)state;
+	static const float lengths[] = {STEP, 0.0f, STEP / 2, STEP / 2, 0.0f, STEP, STEP / 3};
+	Scenario scenario = small_scene("ragdolls");
+	scree_world* world = scene_world(&scenario, 15);
+	scree_batch_def def = scree_batch_def_default();
+	scree_batch* batch;
+	uint64_t hashes[5];
+	def.worlds = 5;
+	def.templates = &world;
+	def.template_count = 1;
+	OK(scree_batch_create(&def, &batch));
+	for (size_t k = 0; k < 3 * sizeof lengths / sizeof *lengths; ++k)
+	{
+		float dt = lengths[k % (sizeof lengths / sizeof *lengths)];
+		OK(scree_batch_step(batch, dt, 1 + (int)k % 5, 1));
+		OK(scree_world_step(world, dt, 1 + (int)k % 5));
+		OK(scree_batch_get_hashes(batch, hashes));
+		for (int w = 0; w < 5; ++w)
+			if (hashes[w] != hash_of(world))
+				fail_msg("world %d differs after step %d", w, (int)k);
+	}
+	assert_int_equal(scree_batch_reset(batch, NULL), SCREE_ERROR_INVALID);
+	assert_non_null(strstr(scree_error(), "scree_batch_reset: world 0 has joints, and its template had substeps of "));
+	OK(scree_batch_step(batch, scenario.dt, scenario.substeps, 1));
+	OK(scree_batch_reset(batch, NULL));
+	scree_batch_destroy(batch);
+	scree_world_destroy(world);
+	scene_free((Scene*)scenario.context);
+	player_close(small_players);
+	player_close(small_players + 1);
+	assert_int_equal(scree_memory(), 0);
+}
+
+#define REFUSED(call, sentence)                       \
+	do                                                \
+	{                                                 \
+		assert_int_equal(call, SCREE_ERROR_INVALID);  \
+		assert_string_equal(scree_error(), sentence); \
+	} while (0)
+
+static void bad_arguments_are_refused(void** state)
+{
+	(void)state;
+	scree_world *world = falling_boxes(1), *sleeper = open_world(-10.0f), *light = open_awake(-5.0f);
+	scree_batch* batch = NULL;
+	scree_batch_def def = scree_batch_def_default();
+	REFUSED(scree_batch_create(&def, &batch), "scree_batch_create: def.template_count is 0, must be at least 1");
+	def.template_count = 1;
+	REFUSED(scree_batch_create(&def, &batch), "scree_batch_create: def.templates is null");
+	def.templates = &world;
+	def.worlds = 0;
+	REFUSED(scree_batch_create(&def, &batch), "scree_batch_create: def.worlds is 0, must be from 1 to 16777216");
+	def.worlds = 3;
+	def.template_of = (const int[]){0, 0, 1};
+	REFUSED(scree_batch_create(&def, &batch), "scree_batch_create: def.template_of[2] is 1, must be from 0 to 0");
+	def.template_of = NULL;
+	def.device = "auto";
+	REFUSED(scree_batch_create(&def, &batch),
+	        "scree_batch_create: def.device is \"auto\", which worlds of a batch cannot have yet");
+	def.device = "cpu";
+	def.lanes = 3;
+	REFUSED(scree_batch_create(&def, &batch), "lanes is 3, but must be 0, 1, 4, 8 or 16");
+	def.lanes = 0;
+	def.templates = &sleeper;
+	REFUSED(scree_batch_create(&def, &batch),
+	        "scree_batch_create: template 0 has bodies that may sleep, which worlds of a batch cannot have yet");
+	scree_world* both[2] = {world, light};
+	def.templates = both;
+	def.template_count = 2;
+	REFUSED(scree_batch_create(&def, &batch),
+	        "scree_batch_create: template 1 has another gravity, tuning or substep than template 0");
+	assert_null(batch);
+	def.template_count = 1;
+	OK(scree_batch_create(&def, &batch));
+	REFUSED(scree_batch_step(batch, 2.0f, 4, 1), "scree_batch_step: dt is 2, must be 0 or from 1e-09 to 1");
+	REFUSED(scree_batch_step(batch, STEP, 0, 1), "scree_batch_step: substeps is 0, must be from 1 to 64");
+	REFUSED(scree_batch_step(batch, STEP, 4, -1), "scree_batch_step: steps is -1, must be at least 0");
+	REFUSED(scree_batch_get_hashes(batch, NULL), "scree_batch_get_hashes: hashes is null");
+	REFUSED(scree_batch_step(NULL, STEP, 4, 1), "scree_batch_step: batch is null");
+	assert_int_equal(scree_batch_get_worlds(NULL), 0);
+	OK(scree_batch_step(batch, STEP, 4, 2));
+	scree_batch_destroy(batch);
+	scree_batch_destroy(NULL);
+	scree_world_destroy(world);
+	scree_world_destroy(sleeper);
+	scree_world_destroy(light);
+	assert_int_equal(scree_memory(), 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(scenes_are_equal),   cmocka_unit_test(templates_are_mixed),
+	    cmocka_unit_test(bays_grow),          cmocka_unit_test(places_do_not_matter),
+	    cmocka_unit_test(lengths_may_change), cmocka_unit_test(bad_arguments_are_refused),
+	};
+	return cmocka_run_group_tests(tests, find_second_device, NULL);
+}
