@@ -24,7 +24,7 @@ INLINE void prepare_press(const Pools* p, int i, Real separation)
 		if (kind != KIND_DYNAMIC && -lane(separation, k) > least)
 		{
 			raise_int(&p->counters->press[kind == KIND_KINEMATIC], 1);
-			if (p->step.bays.worlds)
+			if (BATCHED(p))
 				raise_int(&bay_of_contact(p, p->contact_place_slot[i + k])->press[kind == KIND_KINEMATIC], 1);
 		}
 	}

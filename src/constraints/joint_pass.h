@@ -66,7 +66,7 @@ INLINE void joint_tautens(const Pools* p, int i, const Joint* u, const JointPose
 	Word lanes = lane_bits(most > splat(JOINT_TAUT));
 	if (lanes)
 		raise_int(&p->counters->taut, 1);
-	for (int k = 0; p->step.bays.worlds && lanes >> k != 0; ++k)
+	for (int k = 0; BATCHED(p) && lanes >> k != 0; ++k)
 		if (lanes >> k & 1)
 			raise_int(&bay_of_joint(p, p->joint_place_slot[i + k])->taut, 1);
 }

@@ -47,7 +47,7 @@ INLINE void joint_lock(const Pools* p, const Real joint[4], int k, Int chained, 
 // Returns the lanes whose body is the ground of its world.
 INLINE Int joint_ground(const Pools* p, Int body)
 {
-	if (!p->step.bays.worlds)
+	if (!BATCHED(p))
 		return body == 0;
 	// the quotient, and so the number of the bay, may be off by one
 	int size = p->step.bays.bodies;
@@ -137,7 +137,7 @@ INLINE void joint_press(const Pools* p, int i, const Joint* u, Int there, Vec ga
 		                 p->body[joint_row(p, body_b, i + k)].inv_mass > 0.0f))
 		{
 			raise_int(&p->counters->press[1], 1);
-			if (p->step.bays.worlds)
+			if (BATCHED(p))
 				raise_int(&bay_of_joint(p, p->joint_place_slot[i + k])->press[1], 1);
 		}
 }

@@ -7,19 +7,29 @@
 #define BAYS_H
 #include "pools/pools.h"
 
-// Returns i divided by `size`. part: 1 / size; 0 for the quotient 0. An index below 2^24 is exact as a float, so the
-// rounded product is off by at most one.
+// Returns whether the pools contain the worlds of a batch. A build for WebAssembly has no batches.
+#ifdef SCREE_SMALL
+#define BATCHED(p) ((void)(p), 0)
+#else
+#define BATCHED(p) ((p)->step.bays.worlds != 0)
+#endif
+
+// Returns i divided by `size`. part: 1 / size. An index below 2^24 is exact as a float, so the rounded product is off by at
+// most one.
 INLINE int bay_of(int i, int size, float part)
 {
 	int bay = (int)((float)i * part), rest = i - bay * size;
-	return part > 0.0f ? bay + (rest >= size) - (rest < 0) : 0;
+	return bay + (rest >= size) - (rest < 0);
 }
 
-INLINE int bay_of_body(const Pools* p, int i) { return bay_of(i, p->step.bays.bodies, p->step.bays.body_part); }
+INLINE int bay_of_body(const Pools* p, int i)
+{
+	return BATCHED(p) ? bay_of(i, p->step.bays.bodies, p->step.bays.body_part) : 0;
+}
 
 INLINE int bay_of_collidable(const Pools* p, int i)
 {
-	return bay_of(i, p->step.bays.collidables, p->step.bays.collidable_part);
+	return BATCHED(p) ? bay_of(i, p->step.bays.collidables, p->step.bays.collidable_part) : 0;
 }
 
 // Returns the first item of the spare bays, of a kind whose bays have `size` items: the first whole group behind the
@@ -33,10 +43,13 @@ INLINE int bay_item(int worlds, int bay, int k, int size)
 }
 
 // Returns the ground, the motionless body of a world, for a collidable without a body.
-INLINE int bay_ground(const Pools* p, int collidable) { return bay_of_collidable(p, collidable) * p->step.bays.bodies; }
+INLINE int bay_ground(const Pools* p, int collidable)
+{
+	return BATCHED(p) ? bay_of_collidable(p, collidable) * p->step.bays.bodies : 0;
+}
 
 // Returns the index of a body within its bay.
-INLINE int bay_body(const Pools* p, int i) { return i - bay_of_body(p, i) * p->step.bays.bodies; }
+INLINE int bay_body(const Pools* p, int i) { return BATCHED(p) ? i - bay_of_body(p, i) * p->step.bays.bodies : i; }
 
 // Return the state of the world of a body, of a contact slot or of a joint slot, in a batch.
 INLINE GLOBAL BayState* bay_state_of(const Pools* p, int body) { return p->bay_state + bay_of_body(p, body); }

@@ -56,5 +56,7 @@ SMALL_BEGIN
 #include "stages/read/joint_report.h"
 #include "stages/read/hash.h"
 #include "stages/save/tidy.h"
+#ifndef SCREE_SMALL
 #include "stages/batch/bay_hash.h"
+#endif
 SMALL_END

@@ -81,8 +81,10 @@ static scree_status grow(Pipeline* pipeline, Step* step)
 	const Counters* c = &pipeline->counters;
 	if (c->over_limit)
 		return contact_limit_fail(pipeline, step);
+#ifndef SCREE_SMALL
 	if (c->crowded)
 		return bays_grow(pipeline, step, c->crowded);
+#endif
 	TRY(c->pairs > step->pair_capacity ? pipeline_reserve(pipeline, PER_KEY, c->pairs)
 	                                   : pipeline_reserve(pipeline, PER_CONTACT, c->needed + 1));
 	step->pair_capacity = b->capacity[PER_KEY];

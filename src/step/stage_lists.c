@@ -155,8 +155,10 @@ scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
 	runs_add_single(list, KERNEL_step_begin);
+#ifndef SCREE_SMALL
 	if (step->bays.worlds && step->dt > 0.0f)
 		runs_add(list, KERNEL_bay_begin, 0, step->bays.worlds, NO_COUNT, 0);
+#endif
 	if (step->sleep && !pipeline->listed)
 		list_all_groups(pipeline, step, bodies);
 	runs_add(list, KERNEL_transform, 0, group_items(step->collidables), visits(step, GROUPS_OF_COLLIDABLES), 0);
@@ -202,11 +204,13 @@ static void list_free_slots(Pipeline* pipeline, const Step* step)
 	RunList* list = &pipeline->list;
 	int groups = group_count(pipeline->backend, GROUPS_OF_CONTACTS) + 1,
 	    slots = step->sleep ? groups : step->contact_capacity;
+#ifndef SCREE_SMALL
 	if (step->bays.worlds)
 	{
 		runs_add(list, KERNEL_contact_list_bay, 0, step->pair_capacity, COUNT(sort_pairs), 0);
 		return;
 	}
+#endif
 	runs_add(list, step->sleep ? KERNEL_contact_mark_group : KERNEL_contact_mark_free, 0, slots, COUNT(search), 0);
 	runs_add(list, PRIMITIVE_SCAN, 0, slots, COUNT(search), 0);
 	runs_add(list, step->sleep ? KERNEL_contact_list_group : KERNEL_contact_list_free, 0, slots, COUNT(search), 0);

@@ -69,7 +69,7 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 		tile_gather(p, tile, places & 0xffffu, &a);                                                              \
 		tile_gather(p, tile, places >> 16, &b);                                                                  \
 		bool ends = q + 1 == r->passes && pass >= PASS_RELAX;                                                    \
-		bool named = KIND##_RARE(&p->step) || ends || p->step.bays.worlds > 0;                                    \
+		bool named = KIND##_RARE(&p->step) || ends || BATCHED(p);                                    \
 		int i = named ? task_at(p, t->order[j]).place : 0;                                                        \
 		kind##_ready(p, pass, i, &a, &b, &u, &ready);                                                            \
 		kind##_pass(p, pass, i, &ready, &u, &a, &b);                                                             \

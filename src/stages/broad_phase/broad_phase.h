@@ -77,7 +77,6 @@ KERNEL(broad_phase_begin)
 	p->counters->traversals = 0;
 	p->counters->rest = 0;
 	p->counters->created = 0;
-	p->counters->crowded = 0;
 	p->counters->stalled = 0;
 	(void)i;
 }
@@ -171,7 +170,7 @@ INLINE void broad_phase_packet(const Pools* p, int i, int t)
 // as a packet. The chunk of a worker has a multiple of PACKET_TRAVERSALS items, so packets do not cross chunks.
 KERNEL(broad_phase)
 {
-	if (FETCHES && !p->step.bays.worlds)
+	if (FETCHES && !BATCHED(p))
 	{
 		for (int t = 0; t < 2 && i % PACKET_TRAVERSALS == 0; ++t)
 			broad_phase_packet(p, i, t);

@@ -22,13 +22,11 @@ KERNEL(contact_admit)
 		c->kept = 0;
 	int slots = p->step.sleep ? (c->contacts + GROUP_ITEMS - 1) >> GROUP_BITS : c->contacts;
 	c->search = c->sort_pairs > 0 ? slots + 1 : 0;
-	c->crowded = 0;
+	if (BATCHED(p))
+		c->crowded = 0;
 	c->dead = 0;
 	(void)i;
 }
-
-// Returns the bay of a new pair.
-INLINE int contact_bay(const Pools* p, int i) { return bay_of_collidable(p, (int)(p->key[i] >> p->step.key_bits)); }
 
 KERNEL(contact_mark_free) { p->scan[i] = i < p->counters->contacts && p->pair[i].x < 0; }
 
@@ -53,6 +51,10 @@ KERNEL(contact_list_group)
 			p->free_slot[place++] = k;
 }
 
+#ifndef SCREE_SMALL // a build for WebAssembly has no batches
+// Returns the bay of a new pair.
+INLINE int contact_bay(const Pools* p, int i) { return bay_of_collidable(p, (int)(p->key[i] >> p->step.key_bits)); }
+
 // Item: a new pair, in a batch. For the first pair of a world, lists the lowest free slots of its bay, in ascending order,
 // for all pairs of the world. If the bay is full, stores the number of slots that the bays need.
 KERNEL(contact_list_bay)
@@ -70,19 +72,20 @@ KERNEL(contact_list_bay)
 			raise_int(&p->counters->crowded, (1 << bits) + 1 + k - i);
 	}
 }
+#endif
 
 // Checks the capacity for contacts; adds the new contacts to the numbers of slots in use and of contacts.
 KERNEL(contact_reserve)
 {
 	GLOBAL Counters* c = p->counters;
-	if (p->step.bays.worlds)
+	if (BATCHED(p))
 		c->dead = c->sort_pairs;
 	else
 		c->dead = c->search > 0 ? p->scan[c->search - 1] : 0;
 	int beyond = c->sort_pairs > c->dead ? c->sort_pairs - c->dead : 0;
 	c->needed = c->contacts + beyond;
 	// one slot more than the contacts need, for the end of the scan
-	if (c->needed + 1 > p->step.contact_capacity || c->crowded)
+	if (c->needed + 1 > p->step.contact_capacity || (BATCHED(p) && c->crowded))
 	{
 		c->stalled = 1;
 		c->kept = 0;

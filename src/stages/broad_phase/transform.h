@@ -32,8 +32,8 @@ KERNEL(step_begin)
 	c->arranged = 0;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
-		c->dirty[kind] = c->stale_layout[kind];
-		c->changed |= c->stale_layout[kind];
+		c->dirty[kind] = BATCHED(p) ? c->stale_layout[kind] : 0;
+		c->changed |= c->dirty[kind];
 		c->arrange[kind] = 0;
 	}
 	c->traversals = 0;
@@ -43,7 +43,6 @@ KERNEL(step_begin)
 	c->created = 0;
 	c->stalled = 0;
 	c->needed = 0;
-	c->crowded = 0;
 	c->released = 0;
 	c->began = 0;
 	c->ended = 0;
@@ -54,14 +53,17 @@ KERNEL(step_begin)
 	c->continuous_items = 0;
 	if (p->step.dt > 0.0f)
 	{
-		c->presses = !p->step.bays.worlds && ((c->press[0] && c->press[1]) || c->ways) ? 0x7fffffff : 0;
+		c->presses = !BATCHED(p) && ((c->press[0] && c->press[1]) || c->ways) ? 0x7fffffff : 0;
 		c->press[0] = 0;
 		c->press[1] = 0;
 		c->ways = 0;
 	}
 	c->joined_dirty = c->joints_dirty;
-	c->joints_dirty = c->joints_copied ? 0x7fffffff : c->joints_dirty;
-	c->joints_copied = 0;
+	if (BATCHED(p) && c->joints_copied)
+	{
+		c->joints_dirty = 0x7fffffff;
+		c->joints_copied = 0;
+	}
 	c->penetration = 0;
 	c->joint_gap = 0;
 	c->joint_events = 0;
@@ -77,6 +79,7 @@ KERNEL(step_begin)
 	(void)i;
 }
 
+#ifndef SCREE_SMALL // a build for WebAssembly has no batches
 // Item: a live bay, at the start of a step with dt above 0. Does the same for the values of each world.
 KERNEL(bay_begin)
 {
@@ -90,6 +93,7 @@ KERNEL(bay_begin)
 	if (state->taut)
 		raise_int(&p->counters->taut, 1);
 }
+#endif
 
 // Returns the world pose of collidable i, with bodies at the given poses. The pose of a collidable without a body is
 // already in the world.

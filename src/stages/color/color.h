@@ -17,6 +17,7 @@
 #define COLOR_H
 #include "constraints/contact_one.h"
 #include "constraints/joint_one.h"
+#include "pools/bays.h"
 #include "stages/color/edge.h"
 #include "stages/color/spoke.h"
 #include "stages/edit/active.h"
@@ -25,7 +26,7 @@
 INLINE int color_edge_alone(const Pools* p, int edge)
 {
 	const Bays* bays = &p->step.bays;
-	if (!bays->worlds)
+	if (!BATCHED(p))
 		return edge;
 	int kind = edge_kind(edge), bits = kind == CONSTRAINT_CONTACT ? bays->contact_bits : bays->joint_bits;
 	return edge_of(kind, edge_slot(edge) & ((1 << bits) - 1));
@@ -260,7 +261,7 @@ KERNEL(color_arrange)
 	int left = c->uncolored[RUN_LOW(p->argument)];
 	c->kept = 0;
 	c->overflow_first = 0x7fffffff;
-	c->entered = c->entered || c->copied_spokes || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
+	c->entered = c->entered || (BATCHED(p) && c->copied_spokes) || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
 	c->arranged = left == 0 && (!c->entered || RUN_HIGH(p->argument) > COLOR_BITS);
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
 	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->dirty[CONSTRAINT_##KIND] ? c->kind##s : 0;
@@ -270,9 +271,10 @@ KERNEL(color_arrange)
 	if (p->step.sleep && c->arrange[CONSTRAINT_CONTACT] > 0)
 		c->arrange[CONSTRAINT_CONTACT] = c->active_items[GROUPS_OF_CONTACTS];
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		if (c->arrange[kind] > 0)
+		if (BATCHED(p) && c->arrange[kind] > 0)
 			c->stale_layout[kind] = c->placed[kind] = 0;
-	c->copied_spokes = c->copied_spokes && c->arrange[CONSTRAINT_CONTACT] == 0;
+	if (BATCHED(p) && c->arrange[CONSTRAINT_CONTACT] > 0)
+		c->copied_spokes = 0;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		for (int k = 0; k < COLORS + 2 && c->arrange[kind] > 0; ++k)
 		{

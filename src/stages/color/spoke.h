@@ -85,7 +85,7 @@ INLINE int hub_bound(const Pools* p, int count, int body)
 INLINE int hub_alone(const Pools* p, int n)
 {
 	int body = p->hub[n];
-	return p->step.bays.worlds ? n - hub_bound(p, n, body - bay_body(p, body)) : n;
+	return BATCHED(p) ? n - hub_bound(p, n, body - bay_body(p, body)) : n;
 }
 
 INLINE int hub_color(const Pools* p, int n) { return hub_alone(p, n) % HUB_COLORS; }

@@ -256,7 +256,7 @@ INLINE ContinuousTraversal continuous_traverse(void)
 INLINE int continuous_seeks_in(const Pools* p, const ContinuousPath* g, int t)
 {
 	int statics = 1 << KIND_STATIC;
-	if (p->step.bays.worlds)
+	if (BATCHED(p))
 		return t == 0;
 	return (g->seeks & (t == 1 ? statics : ~statics)) != 0 && p->tree[t].leaves > 0;
 }

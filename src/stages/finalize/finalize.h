@@ -44,7 +44,7 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 		*w = within(*w, spin);
 		*d = vec_flush_tiny(vec_limit(*d, p->step.dt * maximum(most, p->step.push_speed)));
 		raise_int(&p->counters->ways, 1);
-		if (p->step.bays.worlds)
+		if (BATCHED(p))
 			raise_int(&bay_state_of(p, i)->ways, 1);
 		p->press[i].left = left;
 	}

@@ -3,6 +3,7 @@
 #ifndef OVERFLOW_H
 #define OVERFLOW_H
 #include "constraints/constraint_kinds.h"
+#include "pools/bays.h"
 
 // Runs a pass over the joint at place k. pass: a constant, so that the compiler omits the code of other passes.
 INLINE void overflow_solve(const Pools* p, int k, int pass)
@@ -24,8 +25,7 @@ INLINE int overflow_bay(const Pools* p, int k) { return p->joint_place_slot[k] >
 KERNEL(joint_overflow)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
-	int first = layout->begin[COLORS] + p->step.chain_places, end = first + p->counters->overflow,
-	    batch = p->step.bays.worlds;
+	int first = layout->begin[COLORS] + p->step.chain_places, end = first + p->counters->overflow, batch = BATCHED(p);
 	if (batch && i > 0 && overflow_bay(p, first + i - 1) == overflow_bay(p, first + i))
 		return;
 	for (int k = first + i; k < end && (!batch || overflow_bay(p, k) == overflow_bay(p, first + i)); ++k)

@@ -3,6 +3,7 @@
 #ifndef PREPARE_ONE_H
 #define PREPARE_ONE_H
 #include "constraints/constraint_kinds.h"
+#include "pools/bays.h"
 #include "stages/edit/active.h"
 
 // Clears the counters of finalize, after the host has read those of the last step. A step of length 0 has no finalize,
@@ -35,12 +36,12 @@ KERNEL(body_taut)
 	float pull = body->da, own = body->inv_inertia;
 	body->da = 0.0f;
 	p->own_inertia[i] = own;
-	int wanted = !p->step.bays.worlds || bay_state_of(p, i)->taut_used;
+	int wanted = !BATCHED(p) || bay_state_of(p, i)->taut_used;
 	if (wanted && own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
 		body->inv_inertia = quotient(1.0f, minimum(pull, MOST_INERTIA));
 	if (i == 0)
 		p->counters->taut = 0; // the warm starts of this step set it again
-	if (p->step.bays.worlds && wanted && bay_body(p, i) == 0)
+	if (BATCHED(p) && wanted && bay_body(p, i) == 0)
 		bay_state_of(p, i)->taut = 0;
 }
 

@@ -12,6 +12,7 @@
 #define PRESS_H
 #include "constraints/contact_report_points.h"
 #include "constraints/joint_prepare.h"
+#include "pools/bays.h"
 #include "stages/geometry/sweep.h"
 
 // minimum cosine between a way and the normal of a contact that hands the way on; with a smaller minimum, a box that is
@@ -58,7 +59,7 @@ INLINE int press_left(int code, Vec normal)
 INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
 
 // Returns whether nothing may press bodies in a world of a batch. state: of the world; not read outside of a batch.
-INLINE int press_rests(const Pools* p, const GLOBAL BayState* state) { return p->step.bays.worlds && !state->presses; }
+INLINE int press_rests(const Pools* p, const GLOBAL BayState* state) { return BATCHED(p) && !state->presses; }
 
 // Returns the slot of the contact at place i; -1 if there is none, or if the kernel must do nothing (press_waits).
 INLINE int press_slot(const Pools* p, int i)
@@ -284,7 +285,7 @@ KERNEL(press_hand_on)
 	if (way[1])
 	{
 		raise_int(&p->counters->ways, 1);
-		if (p->step.bays.worlds)
+		if (BATCHED(p))
 			raise_int(&bay_of_contact(p, slot)->ways, 1);
 	}
 }

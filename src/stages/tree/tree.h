@@ -11,6 +11,7 @@
 // compute units to refit, and 20 levels instead of 7.
 #ifndef TREE_H
 #define TREE_H
+#include "pools/bays.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/filter.h"
 #include "stages/tree/hilbert.h"
@@ -24,11 +25,11 @@ INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC;
 // Returns whether a collidable of a kind is alive and in tree t; otherwise a leaf of it is empty. A batch has only tree 0.
 INLINE int tree_contains(const Pools* p, int t, int kind)
 {
-	return kind != KIND_DEAD && (p->step.bays.worlds != 0 || tree_of_kind(kind) == t);
+	return kind != KIND_DEAD && (BATCHED(p) || tree_of_kind(kind) == t);
 }
 
 // Returns whether there are static collidables, perhaps in other worlds of a batch.
-INLINE int tree_statics(const Pools* p) { return p->step.bays.worlds != 0 || p->tree[1].leaves > 0; }
+INLINE int tree_statics(const Pools* p) { return BATCHED(p) || p->tree[1].leaves > 0; }
 
 #define LEAF_SOON 16 // prefetch distance, in leaves
 
@@ -225,8 +226,8 @@ INLINE int tree_level_of(const GLOBAL Tree* tree, int from, int end)
 INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
 	TreeTraversal traversal;
-	traversal.level = end ? tree_level_of(tree, from, end) : tree->top;
-	traversal.first = from >> (ARITY_BITS * traversal.level) & ~(ARITY - 1);
+	traversal.level = BATCHED(p) ? tree_level_of(tree, from, end) : tree->top;
+	traversal.first = BATCHED(p) ? from >> (ARITY_BITS * traversal.level) & ~(ARITY - 1) : 0;
 	traversal.from = from;
 	traversal.end = end;
 	traversal.nodes = nodes;

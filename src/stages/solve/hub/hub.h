@@ -332,7 +332,7 @@ INLINE_MEET void hub_pass(const Pools* p, int n, int pass, LOCAL float* bench)
 // Item: a hub of one hub color; in a batch, any hub. argument: the pass and the hub color.
 GROUP_KERNEL(hub)
 {
-	int turn = RUN_HIGH(p->argument), n = p->step.bays.worlds ? i : HUB_COLORS * i + turn;
+	int turn = RUN_HIGH(p->argument), n = BATCHED(p) ? i : HUB_COLORS * i + turn;
 	if (hub_color(p, n) == turn)
 		hub_pass(p, n, RUN_LOW(p->argument), bench);
 }
