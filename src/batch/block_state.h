@@ -11,7 +11,6 @@ typedef struct
 	StepRequest request;
 	int first, worlds; // range of worlds of the batch
 	int* kinematics;   // indices of the kinematic bodies, if they are few; for `request`
-	int kinematic_capacity;
 	const Template* templates;
 	const int* template_of; // for each world of the batch: index of its template
 	int* spare_of;          // for each template: its spare bay, -1 if no world of the block has it

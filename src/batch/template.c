@@ -96,8 +96,8 @@ static scree_status read_pools(scree_world* world, const char* function, Templat
 	return SCREE_OK;
 }
 
-// Moves the kept values of constraints from their rows to their slots. A joint that was destroyed since the last step still has its
-// constraint, which the next step ends.
+// Moves the kept values of constraints from their rows to their slots. A joint that was destroyed since the last step
+// still has its constraint, which the next step ends.
 static void leave_places(Template* made)
 {
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                         \
@@ -114,7 +114,7 @@ static void leave_places(Template* made)
 static void read_settings(const scree_world* world, Template* made)
 {
 	made->request = (StepRequest){.gravity = world->def.gravity,
-	                              .tuning = {.size = 0},
+	                              .tuning = tuning_of(&world->def),
 	                              .bodies = world->bodies.used,
 	                              .collidables = world->collidables.used,
 	                              .kinematic = world->kinematic_count,
@@ -123,7 +123,6 @@ static void read_settings(const scree_world* world, Template* made)
 	                              .reports = world->reports.reporters > 0,
 	                              .hit_speed = world->def.hit_speed,
 	                              .hit_impulse = world->def.hit_impulse};
-	made->request.tuning = tuning_of(&world->def);
 }
 
 scree_status template_read(scree_world* world, const char* function, int number, Template* made)

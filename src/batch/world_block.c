@@ -77,19 +77,19 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 	Pipeline* p = &block->pipeline;
 	TRY(pipeline_open(p, backend, 0, 0));
 	p->step = templates[template_of[first]].pipeline.step;
-	for (int t = 0; t < count; ++t)
-		if (block->spare_of[t] >= 0)
-			add_flags(p, &templates[t].pipeline);
-	TRY(bays_open(p, &sizes));
 	block->request = templates[template_of[first]].request;
+	for (int t = 0; t < count; ++t)
+	{
+		if (block->spare_of[t] < 0)
+			continue;
+		add_flags(p, &templates[t].pipeline);
+		block->request.details |= templates[t].request.details;
+		block->request.reports |= templates[t].request.reports;
+	}
+	TRY(bays_open(p, &sizes));
 	block->request.bodies = worlds * sizes.bodies;
 	block->request.collidables = worlds * sizes.collidables;
 	block->request.contact_limit = 0;
-	for (int t = 0; t < count; ++t)
-	{
-		block->request.details |= block->spare_of[t] >= 0 && templates[t].request.details;
-		block->request.reports |= block->spare_of[t] >= 0 && templates[t].request.reports;
-	}
 	TRY(add_kinematics(block));
 	TRY(block_fill(block, count));
 	return block_reset(block, NULL);

@@ -44,7 +44,7 @@ static void opencl_close(Backend* b)
 			RELEASE(d->failure, Kernel, d->plain[i].kernel);
 		RELEASE(d->failure, Kernel, d->solve_end.kernel);
 		read_close(d);
-		batch_close(d);
+		round_trip_close(d);
 		transfer_close(d);
 		pinned_close(d, &d->staging.pinned);
 		shared_close(d);

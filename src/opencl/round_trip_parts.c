@@ -171,7 +171,7 @@ scree_status opencl_round_trip(Backend* b, const Step* step, const RoundTrip* tr
 	return status;
 }
 
-void batch_close(OpenCl* d)
+void round_trip_close(OpenCl* d)
 {
 	RELEASE(d->failure, CommandQueue, d->transfer.up);
 	RELEASE(d->failure, CommandQueue, d->transfer.down);

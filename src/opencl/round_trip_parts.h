@@ -5,6 +5,6 @@
 #include "opencl/opencl_state.h"
 
 scree_status opencl_round_trip(Backend* b, const Step* step, const RoundTrip* trip);
-void batch_close(OpenCl* d);
+void round_trip_close(OpenCl* d);
 
 #endif
