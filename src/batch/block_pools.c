@@ -77,7 +77,7 @@ static scree_status fill_bays(Block* block)
 	for (int k = 0; k < block->worlds; ++k)
 	{
 		const Template* from = block->templates + block->template_of[block->first + k];
-		rows[k] = (Bay){from->bodies, from->collidables, from->first_attribute, 0};
+		rows[k] = (Bay){from->bodies, from->collidables, from->first_attribute, k};
 	}
 	scree_status status = b->f->write(b, POOL_bay, 0, block->worlds, rows);
 	scree_release(rows);

@@ -77,7 +77,7 @@ typedef struct // 16 bytes: numbers of items of a world of a batch
 {
 	int bodies, collidables; // slots in use, up to the last one
 	int attribute;           // first attribute of its template
-	int unused;
+	int world;               // row of the world in arrays with one row for each world of the block
 } Bay;
 
 typedef struct // 32 bytes: values of a world of a batch that the counters have in a world alone
