@@ -45,7 +45,7 @@ function(inline path out)
 endfunction()
 
 # Makes the arguments of every kernel: the buffers, and for each kind of items its capacity and its offset in the
-# buffer. One buffer holds the pools of one kind or of several kinds, one behind the other (src/pools/buffers.def). One
+# buffer, in units of 256 bytes. One buffer holds the pools of one kind or of several kinds, one behind the other (src/pools/buffers.def). One
 # argument for each pool would cost 15 us per launch (75 buffers, NVIDIA).
 file(READ "${ROOT}/src/pools/buffers.def" sharing)
 string(REGEX REPLACE "//[^\n]*" "" sharing "${sharing}")
@@ -64,8 +64,8 @@ foreach(pool IN LISTS pools)
 		string(APPEND capacities "int ${kind}; ")
 		set(before_${kind} "0")
 		if(DEFINED home_${kind})
-			set(place_${kind} "${home_${kind}} + capacities.begin_${kind}")
-			string(APPEND begins "ulong begin_${kind}; ")
+			set(place_${kind} "${home_${kind}} + ((ulong)capacities.begin_${kind} << 8)")
+			string(APPEND begins "uint begin_${kind}; ")
 		else()
 			set(place_${kind} "${kind}")
 			string(APPEND arguments "__global uchar* ${kind}, ")

@@ -2444,7 +2444,8 @@ SCREE_API scree_status scree_batch_create(const scree_batch_def* def, scree_batc
 // Destroys a batch. batch may be null.
 SCREE_API void scree_batch_destroy(scree_batch* batch);
 
-// Advances all worlds by `steps` steps, at least 0. dt, substeps: as for scree_world_step. A failure breaks the batch: every
+// Applies the inputs of the steps, advances all worlds by `steps` steps, at least 0, and writes the outputs. With 0 steps it
+// does nothing. dt, substeps: as for scree_world_step. Inputs out of range are refused, and nothing changes. Another failure breaks the batch: every
 // later call returns the same status, and it can only be destroyed.
 SCREE_API scree_status scree_batch_step(scree_batch* batch, float dt, int substeps, int steps);
 
@@ -2459,6 +2460,80 @@ SCREE_API scree_status scree_batch_get_hashes(scree_batch* batch, uint64_t* hash
 
 // Returns the number of worlds; 0 if batch is null.
 SCREE_API int scree_batch_get_worlds(const scree_batch* batch);
+
+// Channels set and read values of all worlds at once. A channel is one or more columns of an array of floats, which has a
+// row for each world. It names an object of a template by its handle. A world whose template lacks the object ignores the
+// inputs of the channel, and its outputs are 0.
+
+typedef enum scree_channel_kind // comments: the columns, with the units and ranges of the functions of one world
+{
+	// Inputs.
+	SCREE_INPUT_FORCE,           // body: force x, y, N, at the center of mass
+	SCREE_INPUT_THRUST,          // body: force x, y, N, along the axes of the body, at `point`
+	SCREE_INPUT_TORQUE,          // body: torque, N m
+	SCREE_INPUT_IMPULSE,         // body: impulse x, y, N s, at the center of mass
+	SCREE_INPUT_ANGULAR_IMPULSE, // body: angular impulse, N m s
+	SCREE_INPUT_VELOCITY,        // body: linear x, y, m/s; angular, rad/s
+	SCREE_INPUT_POSE,            // body: pose of its origin: x, y, m; cosine, sine
+	SCREE_INPUT_TARGET,          // kinematic body: pose at the end of the step (scree_bodies_set_targets)
+	SCREE_INPUT_MOTOR_SPEED,     // joint: speed of the motor of coordinate `which`, m/s or rad/s
+	SCREE_INPUT_MOTOR_MAX,       // joint: largest force or torque of this motor, N or N m, at least 0
+	SCREE_INPUT_JOINT_TARGET,    // joint: target of lock and spring of coordinate `which`, m or rad
+	// Outputs.
+	SCREE_OUTPUT_POSE,          // body: pose of its origin: x, y, m; cosine, sine
+	SCREE_OUTPUT_VELOCITY,      // body: linear x, y, m/s; angular, rad/s
+	SCREE_OUTPUT_RELATIVE_POSE, // body: the same pose in the frame of the body `other`
+	// Touches of `collidable`, or if it is null of all collidables of `body`; with `other_collidable`, or with the body
+	// `other`, or if both are null with anything: number of touching contacts; 1 if there are some and the last outputs
+	// had none, else 0; sum of their normal impulses in the last substep, N s.
+	SCREE_OUTPUT_TOUCH,
+	SCREE_OUTPUT_JOINT_VALUE, // joint: coordinate `which`, m or rad (scree_joint_state)
+	SCREE_OUTPUT_JOINT_SPEED, // joint: rate of change of coordinate `which`, m/s or rad/s
+	SCREE_OUTPUT_JOINT_FORCE, // joint: force x, y, N, and torque, N m, on body b in the last substep
+	// A fan of `rays` rays from `point` of the body, which they do not meet; a null body stands for the world. One column
+	// for each ray: the fraction of its way at which it meets the first collidable, 1 if it meets none. `translation` is
+	// the way of a single ray, and the middle of the fan, whose rays are distributed evenly over the angle `spread`.
+	SCREE_OUTPUT_RAYS,
+} scree_channel_kind;
+
+typedef struct scree_channel
+{
+	uint32_t size; // set by scree_channel_make
+	scree_channel_kind kind;
+	scree_body body, other;
+	scree_collidable collidable, other_collidable;
+	scree_joint joint;
+	scree_coordinate which; // default SCREE_ALONG
+	scree_vec point;        // m, in the frame of the body; default 0
+	scree_vec translation;  // m, in the frame of the body; default 0
+	int rays;               // 1 to 1024, default 1
+	float spread;           // rad, 0 to 2 pi; default 0. At 2 pi, first and last ray differ
+	uint64_t category, mask; // filter of rays, as in scree_query_def; default: all bits
+} scree_channel;
+
+// Returns a channel with default values and null handles.
+static inline scree_channel scree_channel_make(scree_channel_kind kind);
+
+typedef enum scree_channels // lists of channels of a batch
+{
+	SCREE_STEP_INPUTS,  // scree_batch_step reads them. Before the first step of a call all are applied; before each further
+	                    // one only forces and torques
+	SCREE_RESET_INPUTS, // scree_batch_reset reads them, and applies them to the worlds that it resets
+	SCREE_OUTPUTS,      // scree_batch_step and scree_batch_observe write them
+} scree_channels;
+
+// Replaces a list of channels. memory: array of floats with a row for each world and the columns of the channels in their
+// order; the program owns it, and keeps it until it binds other memory, or destroys the batch. count 0: the list is empty,
+// and memory may be null. Touches of the outputs begin anew. On failure the list stays as it was. A list has at most 4,096
+// columns.
+SCREE_API scree_status scree_batch_bind(scree_batch* batch, scree_channels list, const scree_channel* channels, int count,
+                                        float* memory);
+
+// Returns the number of columns of a list; 0 if batch is null.
+SCREE_API int scree_batch_get_columns(const scree_batch* batch, scree_channels list);
+
+// Writes the outputs of the current state, for instance after a reset.
+SCREE_API scree_status scree_batch_observe(scree_batch* batch);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Debug draw (docs/manual/debug_draw.md)
@@ -2927,6 +3002,14 @@ static inline scree_batch_def scree_batch_def_default(void)
 	scree_batch_def def;
 	scree_batch_def_default_sized(&def, sizeof def);
 	return def;
+}
+
+SCREE_API void scree_channel_make_sized(scree_channel_kind kind, scree_channel* channel, size_t size);
+static inline scree_channel scree_channel_make(scree_channel_kind kind)
+{
+	scree_channel channel;
+	scree_channel_make_sized(kind, &channel, sizeof channel);
+	return channel;
 }
 
 SCREE_API void scree_draw_def_default_sized(scree_draw_def* def, size_t size);

@@ -179,6 +179,8 @@ void batch_destroy(scree_batch* batch)
 	threads_close(batch->threads);
 	for (int t = 0; t < batch->template_count; ++t)
 		template_close(batch->templates + t);
+	for (int k = 0; k < CHANNEL_LISTS; ++k)
+		channels_close(batch->sets + k);
 	scree_release(batch->templates);
 	scree_release(batch->template_of);
 	scree_release(batch->blocks);

@@ -11,6 +11,7 @@ struct scree_batch
 	Template* templates;
 	int* template_of; // for each world: index of its template
 	Block* blocks;
+	ChannelSet sets[CHANNEL_LISTS];
 	Threads* threads;    // workers, each of which steps one block at a time; null if there is one block
 	scree_status broken; // sticky error, SCREE_OK while healthy
 };

@@ -76,8 +76,9 @@ static scree_status fill_bays(Block* block)
 		return no_memory();
 	for (int k = 0; k < block->worlds; ++k)
 	{
-		const Template* from = block->templates + block->template_of[block->first + k];
-		rows[k] = (Bay){from->bodies, from->collidables, from->first_attribute, k};
+		int number = block->template_of[block->first + k];
+		const Template* from = block->templates + number;
+		rows[k] = (Bay){from->bodies, from->collidables, from->first_attribute, k, number, {0}};
 	}
 	scree_status status = b->f->write(b, POOL_bay, 0, block->worlds, rows);
 	scree_release(rows);

@@ -2,7 +2,7 @@
 // block_state.h -- declares a block: worlds of a batch that share pools.
 #ifndef BLOCK_STATE_H
 #define BLOCK_STATE_H
-#include "batch/template.h"
+#include "batch/channel_set.h"
 
 typedef struct
 {
@@ -15,6 +15,9 @@ typedef struct
 	const int* template_of; // for each world of the batch: index of its template
 	int* spare_of;          // for each template: its spare bay, -1 if no world of the block has it
 	Int2* copies;           // room for one copy per world
+	const ChannelSet* sets; // lists of channels of the batch, CHANNEL_LISTS of them; null before any was bound
+	ChannelList lists[CHANNEL_LISTS];
+	float* rows; // room for rows of a list that are converted or gathered
 } Block;
 
 #endif

@@ -130,6 +130,10 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	*made = (Template){.bodies = 0};
 	TRY(world_upload_to_step(world));
 	TRY(check_template(world, function, number));
+	scree_world_def def = scree_world_def_default();
+	def.device = "cpu";
+	def.threads = 1;
+	TRY(scree_world_clone(world, &def, &made->world));
 	made->bodies = world->bodies.used;
 	made->collidables = world->collidables.used;
 	made->attributes = world->edits.attribute_rows;
@@ -165,6 +169,7 @@ void template_close(Template* made)
 {
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 		scree_release(*memory_of(made, (PoolId)pool));
+	scree_world_destroy(made->world);
 	scree_release(made->chain_memory);
 	scree_release(made->kinematics);
 	*made = (Template){.bodies = 0};

@@ -7,6 +7,7 @@
 
 typedef struct
 {
+	scree_world* world;    // a clone of the world on the CPU, for its handles and definitions
 	Pools image;           // the lasting items of the world, and free slots; indices are those within the world
 	int count[POOL_COUNT]; // number of items of each pool
 	int bodies, collidables, contacts, joints, attributes; // numbers of slots in use

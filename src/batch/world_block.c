@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // world_block.c -- steps the worlds of a batch that share pools: all of them on a GPU, some of them for a worker of a CPU.
 #include "batch/world_block.h"
+#include "batch/block_channels.h"
 #include "batch/block_pools.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
@@ -103,6 +104,7 @@ void block_close(Block* block)
 	scree_release(block->kinematics);
 	scree_release(block->spare_of);
 	scree_release(block->copies);
+	scree_release(block->rows);
 	*block = (Block){.first = 0};
 }
 
@@ -122,16 +124,24 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 		block->pipeline.taut |= from->taut;
 		block->pipeline.counters.presses |= from->counters.presses; // Step.presses, in the next step
 	}
-	return bays_copy(&block->pipeline, block->copies, count);
+	TRY(bays_copy(&block->pipeline, block->copies, count));
+	return block_apply_reset(block, count);
 }
 
 scree_status block_step(Block* block, float dt, int substeps, int steps)
 {
 	block->request.dt = dt;
 	block->request.substeps = substeps;
+	if (steps == 0)
+		return SCREE_OK;
+	TRY(block_apply_inputs(block));
 	for (int k = 0; k < steps; ++k)
+	{
+		if (k > 0)
+			TRY(block_apply_again(block));
 		TRY(pipeline_step(&block->pipeline, &block->request));
-	return SCREE_OK;
+	}
+	return block_write_outputs(block);
 }
 
 scree_status block_hash(Block* block, uint64_t* hashes)

@@ -4,6 +4,7 @@
 #include "backend/arithmetic.h"
 #include "backend/solve_form.h"
 #include "opencl/group_sizes.h"
+#include "opencl/launch.h"
 #include "platform/error.h"
 #include "platform/system.h"
 #include <math.h>
@@ -16,7 +17,8 @@
 // Bound of the size of all arguments of a kernel, bytes: a buffer or an offset, and a capacity, for each kind of
 // item; the step; a run; 64 bytes for those of the relay, the tiles and the persistent kernel. OpenCL 1.2 guarantees
 // 1,024.
-#define ARGUMENT_BYTES (PER_COUNT * (sizeof(cl_mem) + sizeof(int)) + sizeof(Step) + sizeof(Run) + 64)
+#define ARGUMENT_BYTES \
+	(BUFFERS * sizeof(cl_mem) + (2 * PER_COUNT - BUFFERS) * sizeof(int) + sizeof(Step) + sizeof(Run) + 64)
 _Static_assert(ARGUMENT_BYTES <= 1024, "the arguments of a kernel exceed the minimum of OpenCL 1.2");
 
 #define NO_PLATFORM (-1001) // CL_PLATFORM_NOT_FOUND_KHR of cl_khr_icd

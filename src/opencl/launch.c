@@ -70,13 +70,13 @@ scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 	// kinds
 	struct
 	{
-		cl_ulong begins[PER_COUNT - BUFFERS];
-		cl_int capacities[PER_COUNT + PER_COUNT % 2];
+		cl_uint begins[PER_COUNT - BUFFERS];
+		cl_int capacities[PER_COUNT];
 	} capacities = {0};
 	for (int i = 0; i < PER_COUNT; ++i)
 	{
 		if (d->home[i] != (Per)i)
-			capacities.begins[d->argument[i]] = d->begin[i];
+			capacities.begins[d->argument[i]] = (cl_uint)(d->begin[i] / POOL_ALIGNMENT);
 		capacities.capacities[d->place[i]] = d->room[i];
 	}
 	Per home = d->home[per];

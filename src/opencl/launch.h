@@ -12,6 +12,9 @@ enum
 #undef SHARES
 };
 
+// bytes: each pool begins at a multiple of this in its buffer
+#define POOL_ALIGNMENT 256
+
 // kernel arguments that follow the buffers
 enum
 {

@@ -23,7 +23,7 @@
 #include <limits.h>
 #include <stdio.h>
 
-#define CAPACITY_ITEMS 64 // capacities are multiples of this, so that each pool begins at a multiple of 256 bytes
+#define CAPACITY_ITEMS (POOL_ALIGNMENT / 4) // capacities are multiples of this; items have at least 4 bytes
 
 static void opencl_close(Backend* b)
 {

@@ -4,6 +4,7 @@
 #define POOLS_H
 #include "pools/body_types.h"
 #include "pools/chain_types.h"
+#include "pools/channel_types.h"
 #include "pools/collidable_types.h"
 #include "pools/command_types.h"
 #include "pools/contact_types.h"

@@ -73,11 +73,13 @@ typedef struct // bays of the worlds of a batch (bays.h); zeros outside of a bat
 	float body_part, collidable_part; // 1 divided by the number of items of a bay
 } Bays;
 
-typedef struct // 16 bytes: numbers of items of a world of a batch
+typedef struct // 32 bytes: numbers of items of a world of a batch
 {
 	int bodies, collidables; // slots in use, up to the last one
 	int attribute;           // first attribute of its template
 	int world;               // row of the world in arrays with one row for each world of the block
+	int number;              // number of its template
+	int unused[3];
 } Bay;
 
 typedef struct // 32 bytes: values of a world of a batch that the counters have in a world alone

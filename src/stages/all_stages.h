@@ -58,5 +58,6 @@ SMALL_BEGIN
 #include "stages/save/tidy.h"
 #ifndef SCREE_SMALL
 #include "stages/batch/bay_hash.h"
+#include "stages/batch/channel_output.h"
 #endif
 SMALL_END

@@ -31,6 +31,13 @@ static scree_status run_one(Pipeline* pipeline, const Step* step, int kernel, in
 	return b->f->run(b, step, &run, 1);
 }
 
+scree_status bays_run(Pipeline* pipeline, int kernel, int begin, int end, int argument)
+{
+	Step step = step_between(pipeline);
+	step.paths = pipeline->paths;
+	return run_one(pipeline, &step, kernel, begin, end, argument);
+}
+
 // Reserves items of a kind for all bays, with one more, which scans need.
 static scree_status reserve(Pipeline* pipeline, Per per, int64_t end)
 {

@@ -22,6 +22,9 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, int count);
 // Gives each bay at least `contacts` contact slots, in the middle of a step. Sets the members of *step that depend on it.
 scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts);
 
+// Executes a kernel over items `begin` to `end` - 1 between steps.
+scree_status bays_run(Pipeline* pipeline, int kernel, int begin, int end, int argument);
+
 // Computes the hash of each live bay, without the data that only the host has.
 scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes);
 

@@ -24,3 +24,16 @@ scree_status apply_commands(Pipeline* pipeline, const Step* step, const StepComm
 	Run run = {.kernel_id = KERNEL_command, .end = all->count, .count = NO_COUNT, .argument = all->count};
 	return b->f->run(b, step, &run, 1);
 }
+
+scree_status apply_targets(Pipeline* pipeline, const Step* step, const StepRequest* request, int part)
+{
+#ifdef SCREE_SMALL
+	(void)pipeline, (void)step, (void)request, (void)part;
+	return SCREE_OK;
+#else
+	Backend* b = pipeline->backend;
+	Run run = {.kernel_id = KERNEL_channel_input, .end = request->targets, .count = NO_COUNT};
+	run.argument = request->aims | part;
+	return request->targets > 0 ? b->f->run(b, step, &run, 1) : SCREE_OK;
+#endif
+}

@@ -157,6 +157,7 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // true: no solve, or other runs before it
 	bool early = b->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
+	TRY(apply_targets(pipeline, step, request, CHANNEL_AIMS));
 	pipeline->skips = step->sleep;
 	TRY(list_transform(pipeline, step, bodies));
 	for (;; early = false)

@@ -52,6 +52,8 @@ typedef struct // the request of a step
 	const int* kinematics;   // indices of the kinematic bodies
 	int contact_limit;       // maximum number of contacts, 0 for the default
 	StepCommands commands;
+	int targets,
+	    aims; // in a batch: number of items of the kernel channel_input, if some input is a target; its argument
 	bool timings;
 	bool details;                 // contacts store details of the step for the user
 	bool reports;                 // some collidable reports touches or hits

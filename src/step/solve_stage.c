@@ -132,5 +132,6 @@ scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepReques
 	if (pipeline->asks)
 		TRY(stop_waiting_bodies(pipeline, step, request->bodies));
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.end));
+	TRY(apply_targets(pipeline, step, request, CHANNEL_ARRIVES));
 	return pipeline_sparse(pipeline) ? pack_contacts(pipeline, step) : SCREE_OK;
 }

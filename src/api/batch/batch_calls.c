@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // batch_calls.c -- creates, steps, resets and hashes batches for the user.
-#include "batch/batch.h"
+#include "api/batch/batch_check.h"
 #include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -70,20 +70,23 @@ void scree_batch_destroy(scree_batch* batch)
 	batch_destroy(batch);
 }
 
-static scree_status check_whole(const scree_batch* batch, const char* function)
+typedef struct // rows of inputs to check
 {
-	TRY(check_pointer(function, "batch", batch));
-	if (batch->broken != SCREE_OK)
-		return fail(batch->broken, "%s: the batch is broken, because an earlier call failed", function);
-	return SCREE_OK;
+	const char* function;
+	const ChannelSet* set;
+	const uint8_t* mask; // as in channels_check
+} InputCheck;
+
+static scree_status check_block(Block* block, const void* context)
+{
+	const InputCheck* check = context;
+	return channels_check(check->set, check->function, check->set->memory, block->first, block->worlds, check->mask);
 }
 
-// Returns `status`, and breaks the batch if it is a failure.
-static scree_status note(scree_batch* batch, scree_status status)
+static scree_status check_inputs(scree_batch* batch, const char* function, int list, const uint8_t* mask)
 {
-	if (status != SCREE_OK)
-		batch->broken = status;
-	return status;
+	InputCheck check = {function, batch->sets + list, mask};
+	return check.set->count > 0 ? batch_each(batch, check_block, &check) : SCREE_OK;
 }
 
 typedef struct
@@ -102,13 +105,15 @@ scree_status api_batch_step(scree_batch* batch, float dt, int substeps, int step
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_batch_step";
-	TRY(check_whole(batch, function));
+	TRY(batch_check(batch, function));
 	TRY(check_step(function, dt, substeps));
 	if (steps < 0)
 		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "steps", ALONE}, "", "is %d, must be at least 0",
 		              steps);
+	if (steps > 0)
+		TRY(check_inputs(batch, function, CHANNELS_STEP, NULL));
 	StepWork work = {dt, substeps, steps};
-	return note(batch, batch_each(batch, step_block, &work));
+	return batch_note(batch, batch_each(batch, step_block, &work));
 }
 
 // Checks that templates with joints had their last step in substeps as long as those of the batch. Joints that were reset
@@ -134,9 +139,10 @@ scree_status api_batch_reset(scree_batch* batch, const uint8_t* mask)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_batch_reset";
-	TRY(check_whole(batch, function));
+	TRY(batch_check(batch, function));
 	TRY(check_lengths(batch, function, mask));
-	return note(batch, batch_each(batch, reset_block, mask));
+	TRY(check_inputs(batch, function, CHANNELS_RESET, mask));
+	return batch_note(batch, batch_each(batch, reset_block, mask));
 }
 
 typedef struct
@@ -153,10 +159,10 @@ scree_status api_batch_get_hashes(scree_batch* batch, uint64_t* hashes)
 {
 	FLOAT_MODE_HERE;
 	const char* function = "scree_batch_get_hashes";
-	TRY(check_whole(batch, function));
+	TRY(batch_check(batch, function));
 	TRY(check_pointer(function, "hashes", hashes));
 	HashWork work = {hashes};
-	return note(batch, batch_each(batch, hash_block, &work));
+	return batch_note(batch, batch_each(batch, hash_block, &work));
 }
 
 int scree_batch_get_worlds(const scree_batch* batch) { return batch ? batch->worlds : 0; }

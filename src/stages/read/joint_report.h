@@ -15,7 +15,7 @@ INLINE int joint_report_place(const Pools* p, int i)
 // keeps force and torque 0, unless its bodies sleep. axis: direction of the first coordinate. off: deviation of the
 // first two coordinates from the targets of their locks. bend, 1/m: curvature of a path.
 INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend,
-                               GLOBAL JointState* state)
+                               JointState* state)
 {
 	int place = joint_report_place(p, i), asleep = p->joint_flags[i] & JOINT_ASLEEP;
 	if (place < 0 && !asleep)
@@ -54,7 +54,7 @@ INLINE Vec joint_report_side(const Pools* p, int i, int side, const CouplingMeas
 }
 
 // Writes the coordinate of a coupling, and the measures of its sides a and b in place of the other two coordinates.
-INLINE void joint_report_coupling(const Pools* p, int i, GLOBAL JointState* state)
+INLINE void joint_report_coupling(const Pools* p, int i, JointState* state)
 {
 	int modes = (int)p->joint_data[i].modes;
 	float ratio = p->joint_data[i].gear_ratio, speeds[2];
@@ -83,11 +83,10 @@ INLINE PathFoot joint_report_foot(const Pools* p, int i, JointFrame* a)
 	return foot;
 }
 
-KERNEL(joint_report)
+// Computes the state of joint i. forces: 0 to leave force and torque at 0.
+INLINE JointState joint_state_now(const Pools* p, int i, int forces)
 {
-	if (!joint_in_use(p, i)) // the data of a free slot may name anything
-		return;
-	GLOBAL JointState* state = p->joint_state + i;
+	JointState now, *state = &now;
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
 	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME(0), ia, vec(0.0f, 0.0f));
 	JointFrame b = joint_frame(p, i, JOINT_AT_FRAME(1), ib, vec(0.0f, 0.0f));
@@ -117,9 +116,10 @@ KERNEL(joint_report)
 	state->force_y = 0.0f;
 	state->torque = 0.0f;
 	state->broken = (p->joint_flags[i] & JOINT_BROKEN) != 0;
+	state->unused[0] = state->unused[1] = 0.0f;
 	if (modes & JOINT_COUPLED)
 		joint_report_coupling(p, i, state);
-	else
+	else if (forces)
 	{
 		const GLOBAL JointLock* lock = p->joint_data[i].lock;
 		Vec off = vec(state->value[0] - lock[0].target, state->value[1] - lock[1].target);
@@ -133,6 +133,13 @@ KERNEL(joint_report)
 	state->force_x = flush_tiny(state->force_x);
 	state->force_y = flush_tiny(state->force_y);
 	state->torque = flush_tiny(state->torque);
+	return now;
+}
+
+KERNEL(joint_report)
+{
+	if (joint_in_use(p, i)) // the data of a free slot may name anything
+		p->joint_state[i] = joint_state_now(p, i, 1);
 }
 
 #endif

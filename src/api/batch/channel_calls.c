@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// channel_calls.c -- binds channels of a batch, and observes its worlds.
+#include "api/batch/batch_check.h"
+#include "batch/channel_objects.h"
+#include "platform/processor.h"
+#include "world/definition.h"
+#include "world/record/api_calls.h"
+#include <stddef.h>
+
+static const DefinitionType channel_definition = {
+    sizeof(scree_channel), offsetof(scree_channel, mask) + sizeof(uint64_t), "scree_channel_make"};
+
+void scree_channel_make_sized(scree_channel_kind kind, scree_channel* channel, size_t size)
+{
+	scree_channel made = {.kind = kind, .rays = 1, .category = UINT64_MAX, .mask = UINT64_MAX};
+	if (!channel)
+		return;
+	write_result(channel, size, &made, sizeof made);
+	channel->size = (uint32_t)size;
+}
+
+static scree_status check_list_number(const char* function, scree_channels list)
+{
+	if ((int)list >= 0 && (int)list < CHANNEL_LISTS)
+		return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "list", ALONE}, "", "is %d, not a list of channels",
+	              (int)list);
+}
+
+static scree_status bind_block(Block* block, const void* context)
+{
+	const scree_batch* batch = context;
+	return block_bind(block, batch->sets, batch->template_count);
+}
+
+static scree_status open_set(scree_batch* batch, const char* function, scree_channels list,
+                             const scree_channel* channels, int count, ChannelSet* set)
+{
+	scree_channel* now = scree_allocate(sizeof *now * (size_t)(count + 1));
+	if (!now)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d channels", function, count);
+	scree_status status = SCREE_OK;
+	for (int k = 0; k < count && status == SCREE_OK; ++k)
+	{
+		status = check_definition((ArgumentPlace){function, "channels", 0}, channels, k, &channel_definition);
+		scree_channel local;
+		if (status == SCREE_OK)
+			now[k] = *(const scree_channel*)definition_at(channels, k, &channel_definition, &local);
+	}
+	if (status == SCREE_OK)
+		status =
+		    channels_open(set, function, list != SCREE_OUTPUTS, now, count, batch->templates, batch->template_count);
+	scree_release(now);
+	return status;
+}
+
+scree_status api_batch_bind(scree_batch* batch, scree_channels list, const scree_channel* channels, int count,
+                            float* memory)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_bind";
+	TRY(batch_check(batch, function));
+	TRY(check_list_number(function, list));
+	TRY(check_batch(function, "channels", channels, count));
+	if (count > 0)
+		TRY(check_pointer(function, "memory", memory));
+	ChannelSet set = {0}, before = batch->sets[list];
+	scree_status status = open_set(batch, function, list, channels, count, &set);
+	set.memory = memory;
+	batch->sets[list] = set;
+	if (status == SCREE_OK)
+	{
+		status = batch_each(batch, bind_block, batch);
+		if (status == SCREE_OK)
+		{
+			channels_close(&before);
+			return SCREE_OK;
+		}
+		batch->sets[list] = before; // blocks whose pools could not grow get the lists before again
+		if (batch_each(batch, bind_block, batch) != SCREE_OK)
+			batch->broken = status;
+	}
+	batch->sets[list] = before;
+	channels_close(&set);
+	return status;
+}
+
+int scree_batch_get_columns(const scree_batch* batch, scree_channels list)
+{
+	return batch && (int)list >= 0 && (int)list < CHANNEL_LISTS ? batch->sets[list].columns : 0;
+}
+
+static scree_status observe_block(Block* block, const void* context)
+{
+	(void)context;
+	return block_write_outputs(block);
+}
+
+scree_status api_batch_observe(scree_batch* batch)
+{
+	FLOAT_MODE_HERE;
+	TRY(batch_check(batch, "scree_batch_observe"));
+	return batch_note(batch, batch_each(batch, observe_block, NULL));
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// block_channels.h -- moves rows of inputs and outputs between the memory of the user and the pools of a block.
+#ifndef BLOCK_CHANNELS_H
+#define BLOCK_CHANNELS_H
+#include "batch/block_state.h"
+
+// Writes the lists of channels to the pools. sets: CHANNEL_LISTS lists, which outlive the block.
+scree_status block_bind(Block* block, const ChannelSet* sets, int templates);
+
+// Applies the inputs of a step. Sets the members of Block.request for targets.
+scree_status block_apply_inputs(Block* block);
+// Applies forces and torques again, before the second and later steps of a call.
+scree_status block_apply_again(Block* block);
+
+// Applies the inputs of a reset to the worlds of Block.copies.
+scree_status block_apply_reset(Block* block, int copies);
+
+// Computes the outputs, and writes them to the memory of the user.
+scree_status block_write_outputs(Block* block);
+
+#endif

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// channel_set.c -- sorts the channels of a list into groups, and finds their objects in each template.
+#include "batch/channel_set.h"
+#include "batch/channel_objects.h"
+#include "world/units/scale.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct // a part of a channel of the user: the whole channel, or one ray of a fan
+{
+	int from;   // number of the channel
+	int ray;    // number of the ray
+	int column; // first column
+	int class;  // 0: body or collidable; 1: joint; 2: ray
+	uint32_t object;
+} Part;
+
+static int compare_parts(const void* x, const void* y)
+{
+	const Part *a = x, *b = y;
+	if (a->class != b->class)
+		return a->class - b->class;
+	if (a->object != b->object)
+		return a->object < b->object ? -1 : 1;
+	return a->from != b->from ? a->from - b->from : a->ray - b->ray;
+}
+
+// Lists the parts in the order of groups. Touches and rays are groups of their own, because each takes long.
+static void list_parts(Part* parts, const scree_channel* channels, int count)
+{
+	int n = 0, column = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		const scree_channel* c = channels + k;
+		bool ray = c->kind == SCREE_OUTPUT_RAYS;
+		for (int r = 0; r < channel_parts(c); ++r, ++n)
+		{
+			parts[n] = (Part){.from = k, .ray = r, .column = column + r, .class = ray ? 2 : channel_of_joint(c->kind)};
+			parts[n].object = parts[n].class == 1 ? c->joint.index : c->body.index;
+			if (ray || c->kind == SCREE_OUTPUT_TOUCH)
+				parts[n].object = UINT32_MAX / 2 + (uint32_t)n;
+		}
+		column += channel_columns(c);
+	}
+	qsort(parts, (size_t)n, sizeof *parts, compare_parts);
+}
+
+static void find_groups(ChannelSet* set, const Part* parts, int count)
+{
+	set->groups = set->joint_group = set->ray_group = 0;
+	for (int n = 0; n < count; ++n)
+	{
+		if (n > 0 && parts[n].class == parts[n - 1].class && parts[n].object == parts[n - 1].object)
+			continue;
+		set->group[set->groups++] = n;
+		set->joint_group += parts[n].class < 1;
+		set->ray_group += parts[n].class < 2;
+	}
+	set->group[set->groups] = count;
+}
+
+static void note_kind(ChannelSet* set, scree_channel_kind kind)
+{
+	set->aims |= kind == SCREE_INPUT_TARGET;
+	set->acts |= kind == SCREE_INPUT_FORCE || kind == SCREE_INPUT_THRUST || kind == SCREE_INPUT_TORQUE;
+	set->places |= kind == SCREE_INPUT_POSE;
+	set->poses |= kind == SCREE_INPUT_POSE || kind == SCREE_INPUT_TARGET;
+}
+
+static scree_status allocate(ChannelSet* set, const char* function, int parts, int templates)
+{
+	set->channels = scree_allocate(sizeof *set->channels * (size_t)(parts * templates + 1));
+	set->group = scree_allocate(sizeof *set->group * (size_t)(parts + 1));
+	set->rules = scree_allocate(sizeof *set->rules * (size_t)(set->columns + 1));
+	if (!set->channels || !set->group || !set->rules)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d channels", function, parts);
+	return SCREE_OK;
+}
+
+// Fails if no template has the object of channel k.
+static scree_status find_objects(ChannelSet* set, const char* function, const Part* parts, int count,
+                                 const scree_channel* channels, const Template* templates, int template_count)
+{
+	for (int n = 0; n < count; ++n)
+	{
+		bool found = false;
+		for (int t = 0; t < template_count; ++t)
+		{
+			Channel* made = set->channels + t * count + n;
+			ChannelPlace at = {function, parts[n].from, t};
+			TRY(channel_find(made, at, channels + parts[n].from, parts[n].ray, templates[t].world));
+			made->column = parts[n].column;
+			found |= made->kind != CHANNEL_KINDS;
+			if (made->kind != CHANNEL_KINDS && parts[n].ray == 0)
+				channel_rules(set->rules + parts[n].column, channels + parts[n].from, templates[t].world);
+		}
+		if (!found)
+			return fail(SCREE_ERROR_STALE, "%s: channels[%d] has an object that no template has", function,
+			            parts[n].from);
+	}
+	return SCREE_OK;
+}
+
+scree_status channels_open(ChannelSet* set, const char* function, bool inputs, const scree_channel* channels, int count,
+                           const Template* templates, int template_count)
+{
+	int parts_count = 0;
+	*set = (ChannelSet){.unit = (double)templates[0].world->def.length_unit};
+	for (int k = 0; k < count; ++k)
+	{
+		TRY(channel_check((ChannelPlace){function, k, 0}, channels + k, inputs));
+		note_kind(set, channels[k].kind);
+		set->columns += channel_columns(channels + k);
+		parts_count += channel_parts(channels + k);
+		if (set->columns > MOST_COLUMNS)
+			return fail(SCREE_ERROR_INVALID, "%s: channels have more than %d columns", function, MOST_COLUMNS);
+	}
+	for (int t = 1; t < template_count; ++t)
+		if (count > 0 && templates[t].world->def.length_unit != templates[0].world->def.length_unit)
+			return fail(SCREE_ERROR_INVALID, "%s: template %d has another unit of length than template 0", function, t);
+	TRY(allocate(set, function, parts_count, template_count));
+	Part* parts = scree_allocate(sizeof *parts * (size_t)(parts_count + 1));
+	if (!parts)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d channels", function, parts_count);
+	list_parts(parts, channels, count);
+	find_groups(set, parts, parts_count);
+	set->count = parts_count;
+	scree_status status = find_objects(set, function, parts, parts_count, channels, templates, template_count);
+	scree_release(parts);
+	return status;
+}
+
+void channels_close(ChannelSet* set)
+{
+	scree_release(set->channels);
+	scree_release(set->group);
+	scree_release(set->rules);
+	*set = (ChannelSet){.count = 0};
+}
+
+static void convert(const ChannelSet* set, float* row, Direction direction)
+{
+	for (int k = 0; k < set->columns && set->unit != 0.0; ++k)
+		units_scale(set->unit, (char*)(row + k), 1, set->rules[k].power, direction);
+}
+
+static bool row_is_valid(const ChannelSet* set, const float* row)
+{
+	bool valid = true;
+	for (int k = 0; k < set->columns; ++k)
+		valid &= row[k] >= set->rules[k].least && row[k] <= set->rules[k].most;
+	return valid;
+}
+
+static scree_status check_row(const ChannelSet* set, const char* function, const float* row, int world)
+{
+	char name[48];
+	snprintf(name, sizeof name, "inputs of world %d", world);
+	for (int k = 0; k < set->columns; ++k)
+	{
+		ArgumentPlace at = {function, name, k};
+		float least = set->rules[k].least, most = set->rules[k].most;
+		TRY(check_real(at, "", row[k], least, most));
+		if (set->rules[k].part != 0)
+			continue;
+		scree_pose pose = {{row[k], row[k + 1]}, {row[k + 2], row[k + 3]}};
+		TRY(check_pose(at, "", &pose));
+	}
+	return SCREE_OK;
+}
+
+scree_status channels_check(const ChannelSet* set, const char* function, const float* rows, int first, int count,
+                            const uint8_t* mask)
+{
+	for (int k = first; k < first + count; ++k)
+	{
+		const float* row = rows + (size_t)k * (size_t)set->columns;
+		float metres[MOST_COLUMNS];
+		if (mask && !mask[k])
+			continue;
+		if (set->unit != 0.0)
+		{
+			memcpy(metres, row, sizeof(float) * (size_t)set->columns);
+			convert(set, metres, TO_METRES);
+			row = metres;
+		}
+		if (set->poses || !row_is_valid(set, row))
+			TRY(check_row(set, function, row, k));
+	}
+	return SCREE_OK;
+}
+
+void channels_put(const ChannelSet* set, float* to, const float* from)
+{
+	memcpy(to, from, sizeof(float) * (size_t)set->columns);
+	for (int k = 0; k < set->columns && set->poses; ++k)
+	{
+		if (set->rules[k].part != 0)
+			continue;
+		scree_pose pose = {{0.0f, 0.0f}, {to[k + 2], to[k + 3]}};
+		check_pose((ArgumentPlace){"", "", ALONE}, "", &pose); // normalizes the rotation
+		to[k + 2] = pose.rotation.c;
+		to[k + 3] = pose.rotation.s;
+	}
+	convert(set, to, TO_METRES);
+}
+
+void channels_get(const ChannelSet* set, float* to, const float* from)
+{
+	memcpy(to, from, sizeof(float) * (size_t)set->columns);
+	convert(set, to, TO_UNITS);
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// channel_set.h -- declares a list of channels that the user bound, resolved for each template of a batch.
+#ifndef CHANNEL_SET_H
+#define CHANNEL_SET_H
+#include "batch/template.h"
+#include "world/check.h"
+
+typedef struct // the rule for the values of a column
+{
+	float least, most;
+	int8_t power; // power of length
+	int8_t part;  // 0 for the first column of a pose, otherwise -1
+} ColumnRule;
+
+typedef struct
+{
+	int count, columns;         // numbers of channels and of columns
+	int groups;                 // number of groups: those of bodies first, then those of joints, then rays
+	int joint_group, ray_group; // first group of joints, and of rays
+	float* memory;              // of the user: a row for each world
+	Channel* channels;          // for each template, those of all groups
+	int* group;                 // first channel of each group, then `count`
+	ColumnRule* rules;          // for each column
+	double unit;                // unit of length, m; 0 for metres
+	bool poses;                 // some input is a pose, whose rotation is normalized
+	bool aims, acts;            // some input is a target; some input is a force or torque
+	bool places;                // some input places bodies
+} ChannelSet;
+
+// Resolves channels for all templates. The definitions are checked (channel_check). On failure channels_close must follow.
+scree_status channels_open(ChannelSet* set, const char* function, bool inputs, const scree_channel* channels, int count,
+                           const Template* templates, int template_count);
+void channels_close(ChannelSet* set);
+
+// Checks rows of inputs. first: number of the world of the first row. mask: per world, 0 for rows to skip; null: none.
+scree_status channels_check(const ChannelSet* set, const char* function, const float* rows, int first, int count,
+                            const uint8_t* mask);
+
+// Copies a row of inputs, with normalized rotations and in metres; or a row of outputs, in units of length.
+void channels_put(const ChannelSet* set, float* to, const float* from);
+void channels_get(const ChannelSet* set, float* to, const float* from);
+
+#endif

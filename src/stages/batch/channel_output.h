@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// channel_output.h -- writes rows of outputs of the worlds of a batch: poses, velocities, touches, joints, rays.
+#ifndef CHANNEL_OUTPUT_H
+#define CHANNEL_OUTPUT_H
+#include "stages/batch/channel_input.h"
+#include "stages/read/joint_report.h"
+#include "stages/read/query.h"
+
+INLINE void channel_write4(GLOBAL float* to, Float4 v)
+{
+	to[0] = v.x;
+	to[1] = v.y;
+	to[2] = v.z;
+	to[3] = v.w;
+}
+
+// Writes the velocity of a body, or the stored one of a disabled body.
+INLINE void channel_velocity(const Pools* p, int body, GLOBAL float* to)
+{
+	BodyState now = p->body[body];
+	StoredVelocity stored = p->stored_velocity[body];
+	int disabled = stored.stored != 0.0f;
+	to[0] = disabled ? stored.vx : now.vx;
+	to[1] = disabled ? stored.vy : now.vy;
+	to[2] = disabled ? stored.w : now.w;
+}
+
+// Returns the pose of a body's origin in the frame of another body.
+INLINE Float4 channel_relative(const Pools* p, int body, int other)
+{
+	Float4 a = reported_origin(p, other), b = reported_origin(p, body);
+	Vec turn = vec(a.z, a.w), d = vec_turn_back(turn, vec(b.x - a.x, b.y - a.y));
+	Vec q = vec_turn_back(turn, vec(b.z, b.w));
+	return make_float4(d.x, d.y, q.x, q.y);
+}
+
+// Returns whether a contact has a collidable or body as its first one (x) or its second one (y), as bits 1 and 2.
+INLINE int channel_ends(Int2 ends, int item) { return (ends.x == item) | (ends.y == item) << 1; }
+
+// Writes the number of touches of a collidable or body (with `other` only, unless it is -1), 1 if there were none in the
+// outputs before, and the sum of their normal impulses in the last substep, in the order of slots.
+INLINE void channel_touch(const Pools* p, const GLOBAL Channel* c, int bay, GLOBAL float* to)
+{
+	const Bays* bays = &p->step.bays;
+	int bits = bays->contact_bits, touches = 0, whole = c->which & TOUCH_BODY,
+	    whole_other = c->which & TOUCH_OTHER_BODY;
+	int item = c->item + bay * (whole ? bays->bodies : bays->collidables);
+	int other = c->other < 0 ? -1 : c->other + bay * (whole_other ? bays->bodies : bays->collidables);
+	float sum = 0.0f;
+	for (int slot = bay << bits; slot < (bay + 1) << bits; ++slot)
+	{
+		Int2 pair = p->pair[slot];
+		if (pair.x < 0)
+			continue;
+		Int2 bodies = p->contact_bodies[slot];
+		int ends = channel_ends(whole ? bodies : pair, item), others = 3;
+		if (other >= 0)
+			others = channel_ends(whole_other ? bodies : pair, other);
+		// the two are at different ends
+		if (!((ends & 1 && others & 2) || (ends & 2 && others & 1)))
+			continue;
+		Word flags = p->contact_flags[slot];
+		if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
+			continue;
+		++touches;
+		int place = p->contact_place[slot];
+		if (place >= 0)
+			sum = sum + (contact_row(p, normal_impulse1, place) + contact_row(p, normal_impulse2, place));
+	}
+	to[1] = touches > 0 && to[0] == 0.0f ? 1.0f : 0.0f;
+	to[0] = (float)touches;
+	to[2] = flush_tiny(sum);
+}
+
+// Item: a group of outputs of bodies and collidables in a live bay. argument: as in channel_group. With CHANNEL_BEGINS,
+// writes touches only: those before the first step, or after a reset.
+KERNEL(channel_body)
+{
+	ChannelGroup at = channel_group(p, i);
+	for (int k = at.first; k < at.end; ++k)
+	{
+		const GLOBAL Channel* c = at.channels + k;
+		GLOBAL float* to = at.row + c->column;
+		int first = at.bay * p->step.bays.bodies;
+		if (RUN_LOW(p->argument) & CHANNEL_BEGINS && c->kind != CHANNEL_GET_TOUCH)
+			continue;
+		switch (c->kind)
+		{
+		case CHANNEL_GET_POSE:
+			channel_write4(to, reported_origin(p, first + c->item));
+			break;
+		case CHANNEL_GET_VELOCITY:
+			channel_velocity(p, first + c->item, to);
+			break;
+		case CHANNEL_GET_RELATIVE_POSE:
+			channel_write4(to, channel_relative(p, first + c->item, first + c->other));
+			break;
+		case CHANNEL_GET_TOUCH:
+			channel_touch(p, c, at.bay, to);
+			break;
+		}
+	}
+}
+
+// Item: the outputs of a joint in a live bay.
+KERNEL(channel_joint)
+{
+	ChannelGroup at = channel_group(p, i);
+	const GLOBAL Channel* channels = at.channels;
+	int slot = (at.bay << p->step.bays.joint_bits) + channels[at.first].item, forces = 0;
+	if (channels[at.first].kind == CHANNEL_KINDS)
+		return;
+	for (int k = at.first; k < at.end; ++k)
+		forces |= channels[k].kind == CHANNEL_GET_JOINT_FORCE;
+	JointState now = joint_state_now(p, slot, forces);
+	for (int k = at.first; k < at.end; ++k)
+	{
+		GLOBAL float* to = at.row + channels[k].column;
+		int which = channels[k].which;
+		switch (channels[k].kind)
+		{
+		case CHANNEL_GET_JOINT_VALUE:
+			to[0] = now.value[which];
+			break;
+		case CHANNEL_GET_JOINT_SPEED:
+			to[0] = now.speed[which];
+			break;
+		default:
+			to[0] = now.force_x;
+			to[1] = now.force_y;
+			to[2] = now.torque;
+		}
+	}
+}
+
+// Returns a collidable as the leaf of a tree for queries.
+INLINE QueryLeaf channel_leaf(const Pools* p, int k)
+{
+	WorldShape at = collidable_place(p, k);
+	QueryLeaf seen;
+	seen.x = at.x;
+	seen.y = at.y;
+	seen.c = at.c;
+	seen.s = at.s;
+	seen.attribute = at.attribute;
+	seen.body = at.body;
+	seen.collidable = k;
+	seen.kinds = 0u;
+	return seen;
+}
+
+// Item: a ray in a live bay. Writes the fraction of its path at which it meets the first collidable, or 1. The ray moves
+// with its body, which it does not meet.
+KERNEL(channel_ray)
+{
+	ChannelGroup at = channel_group(p, i);
+	const GLOBAL Channel* c = at.channels + at.first;
+	const Bays* bays = &p->step.bays;
+	int body = c->item > 0 ? at.bay * bays->bodies + c->item : -1;
+	Float4 origin = body >= 0 ? reported_origin(p, body) : make_float4(0.0f, 0.0f, 1.0f, 0.0f);
+	if (c->kind == CHANNEL_KINDS)
+		return;
+	WorldQuery asked;
+	asked.start = vec_flush_tiny(channel_point(origin, c->place.x, c->place.y));
+	asked.path = vec_flush_tiny(vec_turn(vec(origin.z, origin.w), vec(c->place.z, c->place.w)));
+	asked.turn = vec(1.0f, 0.0f);
+	asked.radius = 0.0f;
+	Vec end = vec_add(asked.start, asked.path);
+	Float4 way = box_union(make_float4(asked.start.x, asked.start.y, asked.start.x, asked.start.y),
+	                       make_float4(end.x, end.y, end.x, end.y));
+	float nearest = 1.0f;
+	for (int k = at.bay * bays->collidables; k < (at.bay + 1) * bays->collidables; ++k)
+	{
+		int kind = p->collidable_kind[k], of = p->collidable_body[k];
+		if (kind == KIND_DEAD || kind & KIND_SENSOR || (body >= 0 && of == body))
+			continue;
+		Filter filter = p->filter[k];
+		if (!((c->mask & filter.category) && (c->category & filter.mask)))
+			continue;
+		QueryLeaf seen = channel_leaf(p, k);
+		WorldShape place = collidable_place(p, k);
+		float out = absolute(place.x) + absolute(place.y);
+		QueryResult found = query_nothing();
+		if (box_overlap(way, world_box(place, p->attribute + place.attribute, QUERY_MARGIN + QUERY_SPACING * out)) &&
+		    query_meets(p, seen, &asked, QUERY_RAYS, &found))
+			nearest = minimum(nearest, found.fraction);
+	}
+	at.row[c->column] = nearest;
+}
+
+#endif
