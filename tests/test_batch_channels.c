@@ -5,7 +5,6 @@
 // given by calls, bit by bit.
 #include "support/make_joints.h"
 #include "support/second_device.h"
-#include <stdlib.h>
 
 #define WORLDS  7
 #define INPUTS  11 // channels of each step
@@ -288,15 +287,18 @@ static void check_place(const Rig* rig, const Place* place)
 {
 	scree_channel in[INPUTS], out[OUTPUTS], start = scree_channel_make(SCREE_INPUT_VELOCITY);
 	int columns = inputs_of(rig, in), seen = outputs_of(rig, out);
-	float *input = malloc(sizeof(float) * (size_t)(columns * WORLDS)),
-	      *output = malloc(sizeof(float) * (size_t)(seen * WORLDS));
+	float *input, *output;
 	float velocity[WORLDS][3], alone[64], before[WORLDS][2];
 	uint64_t hashes[WORLDS];
 	Rig worlds[WORLDS];
 	scree_batch* batch = open_batch(rig, place);
 	start.body = rig->boxes[2];
-	OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, in, INPUTS, input));
-	OK(scree_batch_bind(batch, SCREE_OUTPUTS, out, OUTPUTS, output));
+	// the batch replaces its own memory by memory of the same kind, or the program's by its own
+	OK(scree_batch_bind(batch, SCREE_OUTPUTS, out, 1, place->lanes ? &alone[0] : NULL));
+	OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, in, INPUTS, NULL));
+	OK(scree_batch_bind(batch, SCREE_OUTPUTS, out, OUTPUTS, NULL));
+	input = scree_batch_get_rows(batch, SCREE_STEP_INPUTS);
+	output = scree_batch_get_rows(batch, SCREE_OUTPUTS);
 	OK(scree_batch_bind(batch, SCREE_RESET_INPUTS, &start, 1, &velocity[0][0]));
 	assert_int_equal(scree_batch_get_columns(batch, SCREE_STEP_INPUTS), columns);
 	assert_int_equal(scree_batch_get_columns(batch, SCREE_OUTPUTS), seen);
@@ -348,8 +350,6 @@ static void check_place(const Rig* rig, const Place* place)
 	for (int w = 0; w < WORLDS; ++w)
 		scree_world_destroy(worlds[w].world);
 	scree_batch_destroy(batch);
-	free(input);
-	free(output);
 }
 
 static void channels_are_calls(void** state)
@@ -429,7 +429,6 @@ static void bad_channels_are_refused(void** state)
 	REFUSED(scree_batch_bind(batch, SCREE_OUTPUTS, &c, 1, rows[0]), "scree_batch_bind: channels[0].kind is an input");
 	REFUSED(scree_batch_bind(batch, (scree_channels)3, &c, 1, rows[0]),
 	        "scree_batch_bind: list is 3, not a list of channels");
-	REFUSED(scree_batch_bind(batch, SCREE_STEP_INPUTS, &c, 1, NULL), "scree_batch_bind: memory is null");
 	REFUSED(scree_batch_bind(NULL, SCREE_STEP_INPUTS, &c, 1, rows[0]), "scree_batch_bind: batch is null");
 	c = scree_channel_make(SCREE_OUTPUT_RAYS);
 	c.rays = 0;
@@ -454,6 +453,7 @@ static void bad_channels_are_refused(void** state)
 	OK(scree_batch_get_hashes(batch, after));
 	assert_memory_equal(before, after, sizeof before);
 	OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, NULL, 0, NULL));
+	assert_null(scree_batch_get_rows(batch, SCREE_STEP_INPUTS));
 	OK(scree_batch_step(batch, STEP, SUBSTEPS, 1));
 	OK(scree_batch_observe(batch));
 	assert_int_equal(scree_batch_get_columns(NULL, SCREE_OUTPUTS), 0);

@@ -2523,14 +2523,18 @@ typedef enum scree_channels // lists of channels of a batch
 } scree_channels;
 
 // Replaces a list of channels. memory: array of floats with a row for each world and the columns of the channels in their
-// order; the program owns it, and keeps it until it binds other memory, or destroys the batch. count 0: the list is empty,
-// and memory may be null. Touches of the outputs begin anew. On failure the list stays as it was. A list has at most 4,096
-// columns.
+// order; the program owns it, and keeps it until it binds other memory, or destroys the batch. With null the batch makes the
+// array (scree_batch_get_rows), in memory that a GPU transfers fastest. count 0: the list is empty. Touches of the outputs
+// begin anew. On failure the list stays as it was. A list has at most 4,096 columns.
 SCREE_API scree_status scree_batch_bind(scree_batch* batch, scree_channels list, const scree_channel* channels, int count,
                                         float* memory);
 
 // Returns the number of columns of a list; 0 if batch is null.
 SCREE_API int scree_batch_get_columns(const scree_batch* batch, scree_channels list);
+
+// Returns the array of a list: the memory that was bound, or that the batch made, which is valid until the list is bound
+// again. Null if the list is empty, or if batch is null.
+SCREE_API float* scree_batch_get_rows(const scree_batch* batch, scree_channels list);
 
 // Writes the outputs of the current state, for instance after a reset.
 SCREE_API scree_status scree_batch_observe(scree_batch* batch);

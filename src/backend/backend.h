@@ -98,6 +98,8 @@ typedef struct // upload of many items, a kernel over each item, and readback of
 	const void* context; // argument of check
 } RoundTrip;
 
+#define PINNED_MOST 4
+
 typedef struct // every function that returns a status sets the error's sentence on failure (fail, src/platform/error.h)
 {
 	// closes the backend after its current work; also called after a failed open
@@ -147,6 +149,10 @@ typedef struct // every function that returns a status sets the error's sentence
 	// other call that changes pools that queries read. Null: searches are round trips
 	void (*searches_open)(Backend* b);
 	void (*search)(Backend* b, const Search* search);
+	// allocate and release memory that write and read transfer without a copy; may be null. At most PINNED_MOST blocks.
+	// The device reads such memory until the next read has returned
+	scree_status (*pin)(Backend* b, size_t bytes, void** memory);
+	void (*unpin)(Backend* b, void* memory);
 	// chooses the form of later solves; returns false if the device lacks the form, or has no other; may be null
 	bool (*form)(Backend* b, SolveForm form);
 } BackendFunctions;

@@ -17,10 +17,12 @@ typedef struct
 	int count, columns;         // numbers of channels and of columns
 	int groups;                 // number of groups: those of bodies first, then those of joints, then rays
 	int joint_group, ray_group; // first group of joints, and of rays
-	float* memory;              // of the user: a row for each world
+	float* memory;              // a row for each world, of the user or of the batch
+	bool owned, pinned;         // the memory is of the batch; it is pinned memory of its device
 	Channel* channels;          // for each template, those of all groups
 	int* group;                 // first channel of each group, then `count`
 	ColumnRule* rules;          // for each column
+	float *least, *most;        // bounds of the values of several rows
 	double unit;                // unit of length, m; 0 for metres
 	bool poses;                 // some input is a pose, whose rotation is normalized
 	bool aims, acts;            // some input is a target; some input is a force or torque

@@ -91,3 +91,39 @@ void pinned_close(OpenCl* d, Pinned* pinned)
 	}
 	RELEASE(d->failure, MemObject, pinned->buffer);
 }
+
+scree_status opencl_pin(Backend* b, size_t bytes, void** memory)
+{
+	OpenCl* d = b->state;
+	int k = 0;
+	while (d->pinned[k].memory)
+		++k;
+	ASSERT(k < PINNED_MOST);
+	TRY(pinned_open(d, bytes, d->pinned + k));
+	d->pinned_bytes[k] = bytes;
+	*memory = d->pinned[k].memory;
+	return SCREE_OK;
+}
+
+void opencl_unpin(Backend* b, void* memory)
+{
+	OpenCl* d = b->state;
+	for (int k = 0; k < PINNED_MOST; ++k)
+		if (memory && d->pinned[k].memory == memory)
+		{
+			pinned_close(d, d->pinned + k);
+			d->pinned[k] = (Pinned){0};
+		}
+}
+
+bool is_pinned(const OpenCl* d, const void* at, size_t bytes)
+{
+	uintptr_t first = (uintptr_t)at;
+	for (int k = 0; k < PINNED_MOST; ++k)
+	{
+		uintptr_t begin = (uintptr_t)d->pinned[k].memory;
+		if (begin && first >= begin && first + bytes <= begin + d->pinned_bytes[k])
+			return true;
+	}
+	return false;
+}

@@ -16,4 +16,10 @@ scree_status scratch_drop(OpenCl* d, Scratch* const* scratch, int count);
 scree_status pinned_open(OpenCl* d, size_t bytes, Pinned* pinned);
 void pinned_close(OpenCl* d, Pinned* pinned);
 
+// As BackendFunctions.pin and unpin.
+scree_status opencl_pin(Backend* b, size_t bytes, void** memory);
+void opencl_unpin(Backend* b, void* memory);
+// Returns whether the device can transfer a range without a copy, because it is in memory of opencl_pin.
+bool is_pinned(const OpenCl* d, const void* at, size_t bytes);
+
 #endif

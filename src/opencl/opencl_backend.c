@@ -36,6 +36,8 @@ static void opencl_close(Backend* b)
 		tiles_close(d);
 		relay_close(d);
 		bay_solve_close(d);
+		for (int k = 0; k < PINNED_MOST; ++k)
+			pinned_close(d, d->pinned + k);
 		persistent_close(d);
 		primitives_close(d);
 		for (int i = 0; i < KERNEL_COUNT; ++i)
@@ -213,6 +215,9 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
+	if (is_pinned(d, items, all))
+		return CALL(d->failure, EnqueueWriteBuffer, d->queue, pool_buffer(d, pool), CL_FALSE, offset, all, items, 0,
+		            NULL, NULL);
 	return transfer_wanted(d, all) ? transfer_up(d, pool_buffer(d, pool), offset, items, all)
 	                               : upload(d, pool_buffer(d, pool), offset, items, all);
 }
@@ -355,6 +360,8 @@ static scree_status opencl_open_device(const BackendOptions* options, const Devi
 	    .copy_reserve = opencl_copy_reserve,
 	    .copy_release = opencl_copy_release,
 	    .copy = opencl_copy,
+	    .pin = opencl_pin,
+	    .unpin = opencl_unpin,
 	    .form = opencl_form,
 	};
 	*backend = NULL;

@@ -207,6 +207,8 @@ typedef struct
 	int argument[PER_COUNT];   // argument index of a kind's buffer; if it has none, index in `begins` (kernel_bind)
 	size_t before[POOL_COUNT]; // bytes per item of the pools that precede a pool and have the same kind
 
+	Pinned pinned[PINNED_MOST];       // blocks of opencl_pin
+	size_t pinned_bytes[PINNED_MOST]; // their sizes
 	Kernel kernels[KERNEL_COUNT], plain[PLAIN_KERNELS];
 	Constants constants;
 	Primitives primitives;

@@ -81,6 +81,13 @@ scree_status read_now(OpenCl* d, cl_mem buffer, size_t offset, size_t bytes, voi
 	return SCREE_OK;
 }
 
+static scree_status read_pinned(OpenCl* d, cl_mem buffer, size_t offset, size_t bytes, void* to)
+{
+	cl_event event;
+	TRY(CALL(d->failure, EnqueueReadBuffer, d->queue, buffer, CL_FALSE, offset, bytes, to, 0, NULL, &event));
+	return queue_wait(d, d->queue, &event);
+}
+
 scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
 {
 	OpenCl* d = b->state;
@@ -89,7 +96,9 @@ scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* it
 	if (count == 0)
 		return SCREE_OK;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
-	if (transfer_wanted(d, all))
+	if (is_pinned(d, items, all))
+		TRY(read_pinned(d, pool_buffer(d, pool), offset, all, items));
+	else if (transfer_wanted(d, all))
 		TRY(transfer_down(d, pool_buffer(d, pool), offset, items, all));
 	else
 		TRY(read_now(d, pool_buffer(d, pool), offset, all, items));

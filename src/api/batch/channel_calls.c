@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // channel_calls.c -- binds channels of a batch, and observes its worlds.
 #include "api/batch/batch_check.h"
+#include "batch/batch_rows.h"
 #include "batch/channel_objects.h"
 #include "platform/processor.h"
 #include "world/definition.h"
@@ -54,6 +55,24 @@ static scree_status open_set(scree_batch* batch, const char* function, scree_cha
 	return status;
 }
 
+// Replaces a list of channels. On failure `*set` is closed, and the list stays as it was.
+static scree_status replace(scree_batch* batch, scree_channels list, ChannelSet* set)
+{
+	ChannelSet before = batch->sets[list];
+	batch->sets[list] = *set;
+	scree_status status = batch_each(batch, bind_block, batch);
+	if (status == SCREE_OK)
+	{
+		batch_rows_close(batch, &before);
+		channels_close(&before);
+		return SCREE_OK;
+	}
+	batch->sets[list] = before; // blocks whose pools could not grow get the lists before again
+	if (batch_each(batch, bind_block, batch) != SCREE_OK)
+		batch->broken = status;
+	return status;
+}
+
 scree_status api_batch_bind(scree_batch* batch, scree_channels list, const scree_channel* channels, int count,
                             float* memory)
 {
@@ -62,27 +81,24 @@ scree_status api_batch_bind(scree_batch* batch, scree_channels list, const scree
 	TRY(batch_check(batch, function));
 	TRY(check_list_number(function, list));
 	TRY(check_batch(function, "channels", channels, count));
-	if (count > 0)
-		TRY(check_pointer(function, "memory", memory));
-	ChannelSet set = {0}, before = batch->sets[list];
+	ChannelSet set = {0};
 	scree_status status = open_set(batch, function, list, channels, count, &set);
 	set.memory = memory;
-	batch->sets[list] = set;
+	if (status == SCREE_OK && count > 0 && !memory)
+		status = batch_rows_open(batch, function, &set);
 	if (status == SCREE_OK)
+		status = replace(batch, list, &set);
+	if (status != SCREE_OK)
 	{
-		status = batch_each(batch, bind_block, batch);
-		if (status == SCREE_OK)
-		{
-			channels_close(&before);
-			return SCREE_OK;
-		}
-		batch->sets[list] = before; // blocks whose pools could not grow get the lists before again
-		if (batch_each(batch, bind_block, batch) != SCREE_OK)
-			batch->broken = status;
+		batch_rows_close(batch, &set);
+		channels_close(&set);
 	}
-	batch->sets[list] = before;
-	channels_close(&set);
 	return status;
+}
+
+float* scree_batch_get_rows(const scree_batch* batch, scree_channels list)
+{
+	return batch && (int)list >= 0 && (int)list < CHANNEL_LISTS ? batch->sets[list].memory : NULL;
 }
 
 int scree_batch_get_columns(const scree_batch* batch, scree_channels list)
