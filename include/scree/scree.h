@@ -2503,11 +2503,11 @@ typedef struct scree_channel
 	scree_body body, other;
 	scree_collidable collidable, other_collidable;
 	scree_joint joint;
-	scree_coordinate which; // default SCREE_ALONG
-	scree_vec point;        // m, in the frame of the body; default 0
-	scree_vec translation;  // m, in the frame of the body; default 0
-	int rays;               // 1 to 1024, default 1
-	float spread;           // rad, 0 to 2 pi; default 0. At 2 pi, first and last ray differ
+	scree_coordinate which;  // default SCREE_ALONG
+	scree_vec point;         // m, in the frame of the body; default 0
+	scree_vec translation;   // m, in the frame of the body; default 0
+	int rays;                // 1 to 1024, default 1
+	float spread;            // rad, 0 to 2 pi; default 0. At 2 pi, first and last ray differ
 	uint64_t category, mask; // filter of rays, as in scree_query_def; default: all bits
 } scree_channel;
 
@@ -2516,8 +2516,8 @@ static inline scree_channel scree_channel_make(scree_channel_kind kind);
 
 typedef enum scree_channels // lists of channels of a batch
 {
-	SCREE_STEP_INPUTS,  // scree_batch_step reads them. Before the first step of a call all are applied; before each further
-	                    // one only forces and torques
+	SCREE_STEP_INPUTS, // scree_batch_step reads them. Before the first step of a call all are applied; before each further
+	                   // one only forces and torques
 	SCREE_RESET_INPUTS, // scree_batch_reset reads them, and applies them to the worlds that it resets
 	SCREE_OUTPUTS,      // scree_batch_step and scree_batch_observe write them
 } scree_channels;
@@ -2525,9 +2525,9 @@ typedef enum scree_channels // lists of channels of a batch
 // Replaces a list of channels. memory: array of floats with a row for each world and the columns of the channels in their
 // order; the program owns it, and keeps it until it binds other memory, or destroys the batch. With null the batch makes the
 // array (scree_batch_get_rows), in memory that a GPU transfers fastest. count 0: the list is empty. Touches of the outputs
-// begin anew. On failure the list stays as it was. A list has at most 4,096 columns.
-SCREE_API scree_status scree_batch_bind(scree_batch* batch, scree_channels list, const scree_channel* channels, int count,
-                                        float* memory);
+// are counted from now on. On failure the list stays as it was. A list has at most 4,096 columns.
+SCREE_API scree_status scree_batch_bind(scree_batch* batch, scree_channels list, const scree_channel* channels,
+                                        int count, float* memory);
 
 // Returns the number of columns of a list; 0 if batch is null.
 SCREE_API int scree_batch_get_columns(const scree_batch* batch, scree_channels list);

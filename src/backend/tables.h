@@ -28,6 +28,14 @@ typedef enum
 	RUN_KINDS
 } KernelId;
 
+enum // number of buffers that contain all pools of an OpenCL device
+{
+#define SHARES(kind, with) -1
+	BUFFERS = PER_COUNT
+#include "pools/buffers.def"
+#undef SHARES
+};
+
 typedef enum // the lanes or work-items that process an item of a kernel
 {
 	WIDTH_ONE,

@@ -4,7 +4,7 @@
 // On a GPU all worlds share one block. On a CPU a worker steps the worlds of a block alone, so that no worker waits for
 // another within a step, and the pools of a block stay in the worker's cache.
 #include "batch/batch.h"
-#include "batch/batch_rows.h"
+#include "batch/channel_rows.h"
 #include "platform/error.h"
 #include "platform/processor.h"
 #include "step/bay_layout.h"
@@ -176,7 +176,7 @@ void batch_destroy(scree_batch* batch)
 	if (!batch)
 		return;
 	for (int k = 0; k < CHANNEL_LISTS; ++k)
-		batch_rows_close(batch, batch->sets + k);
+		channel_rows_close(batch->sets + k);
 	for (int k = 0; k < batch->block_count; ++k)
 		block_close(batch->blocks + k);
 	threads_close(batch->threads);

@@ -2,10 +2,18 @@
 // channel_objects.h -- checks a channel, finds its object in a template, and returns the rules of its columns.
 #ifndef CHANNEL_OBJECTS_H
 #define CHANNEL_OBJECTS_H
-#include "batch/channel_set.h"
+#include "pools/channel_types.h"
+#include "world/check.h"
 
 #define MOST_RAYS    1024 // maximum number of rays of a channel
 #define MOST_COLUMNS 4096 // maximum number of columns of a list
+
+typedef struct // the rule for the values of a column
+{
+	float least, most;
+	int8_t power; // power of length
+	int8_t part;  // 0 for the first column of a pose, otherwise -1
+} ColumnRule;
 
 typedef struct
 {

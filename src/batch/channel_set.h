@@ -2,15 +2,9 @@
 // channel_set.h -- declares a list of channels that the user bound, resolved for each template of a batch.
 #ifndef CHANNEL_SET_H
 #define CHANNEL_SET_H
+#include "batch/channel_objects.h"
 #include "batch/template.h"
 #include "world/check.h"
-
-typedef struct // the rule for the values of a column
-{
-	float least, most;
-	int8_t power; // power of length
-	int8_t part;  // 0 for the first column of a pose, otherwise -1
-} ColumnRule;
 
 typedef struct
 {
@@ -18,7 +12,8 @@ typedef struct
 	int groups;                 // number of groups: those of bodies first, then those of joints, then rays
 	int joint_group, ray_group; // first group of joints, and of rays
 	float* memory;              // a row for each world, of the user or of the batch
-	bool owned, pinned;         // the memory is of the batch; it is pinned memory of its device
+	bool owned;                 // the memory is of the batch
+	Backend* pins;              // device that pins it; null: it is ordinary memory
 	Channel* channels;          // for each template, those of all groups
 	int* group;                 // first channel of each group, then `count`
 	ColumnRule* rules;          // for each column

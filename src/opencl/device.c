@@ -3,8 +3,8 @@
 #include "opencl/device.h"
 #include "backend/arithmetic.h"
 #include "backend/solve_form.h"
+#include "backend/tables.h"
 #include "opencl/group_sizes.h"
-#include "opencl/launch.h"
 #include "platform/error.h"
 #include "platform/system.h"
 #include <math.h>

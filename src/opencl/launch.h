@@ -4,14 +4,6 @@
 #define OPENCL_LAUNCH_H
 #include "opencl/opencl_state.h"
 
-enum
-{
-#define SHARES(kind, with) -1
-	BUFFERS = PER_COUNT
-#include "pools/buffers.def"
-#undef SHARES
-};
-
 // bytes: each pool begins at a multiple of this in its buffer
 #define POOL_ALIGNMENT 256
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // channel_calls.c -- binds channels of a batch, and observes its worlds.
 #include "api/batch/batch_check.h"
-#include "batch/batch_rows.h"
-#include "batch/channel_objects.h"
+#include "batch/channel_rows.h"
 #include "platform/processor.h"
 #include "world/definition.h"
 #include "world/record/api_calls.h"
@@ -63,7 +62,7 @@ static scree_status replace(scree_batch* batch, scree_channels list, ChannelSet*
 	scree_status status = batch_each(batch, bind_block, batch);
 	if (status == SCREE_OK)
 	{
-		batch_rows_close(batch, &before);
+		channel_rows_close(&before);
 		channels_close(&before);
 		return SCREE_OK;
 	}
@@ -85,12 +84,13 @@ scree_status api_batch_bind(scree_batch* batch, scree_channels list, const scree
 	scree_status status = open_set(batch, function, list, channels, count, &set);
 	set.memory = memory;
 	if (status == SCREE_OK && count > 0 && !memory)
-		status = batch_rows_open(batch, function, &set);
+		status =
+		    channel_rows_open(&set, function, batch->worlds, batch->block_count == 1 ? batch->blocks[0].backend : NULL);
 	if (status == SCREE_OK)
 		status = replace(batch, list, &set);
 	if (status != SCREE_OK)
 	{
-		batch_rows_close(batch, &set);
+		channel_rows_close(&set);
 		channels_close(&set);
 	}
 	return status;

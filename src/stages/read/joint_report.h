@@ -14,8 +14,7 @@ INLINE int joint_report_place(const Pools* p, int i)
 // Computes force (N) and torque (N m) of a joint from its impulses in the last substep. A joint without a constraint
 // keeps force and torque 0, unless its bodies sleep. axis: direction of the first coordinate. off: deviation of the
 // first two coordinates from the targets of their locks. bend, 1/m: curvature of a path.
-INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend,
-                               JointState* state)
+INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend, JointState* state)
 {
 	int place = joint_report_place(p, i), asleep = p->joint_flags[i] & JOINT_ASLEEP;
 	if (place < 0 && !asleep)
