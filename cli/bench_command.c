@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // bench_command.c -- scree bench: measures scenes and checks that the work was done.
+#include "bench_batch.h"
 #include "bench_whole.h"
 #include "cli/common/bench_scenes.h"
 #include "cli/common/library_error.h"
@@ -37,6 +38,8 @@ int bench_command(const Options* options)
 	int code = open_scenes(options, &list);
 	if (code == EXIT_GOOD && options->whole)
 		code = measure_whole_runs(options, list.scenes, list.count);
+	else if (code == EXIT_GOOD && options->worlds > 0)
+		code = measure_batches(options, &list);
 	else if (code == EXIT_GOOD)
 		code = bench_scenes(options, &list, stage_names, run_scene);
 	close_scenes(&list);

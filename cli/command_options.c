@@ -42,6 +42,14 @@ static bool read_hash_interval(Options* options, const Option* option, char* tex
 	return refuse_value(options, option, text, "be a whole number from 0 to 999999999");
 }
 
+static bool read_resets(Options* options, const Option* option, char* text)
+{
+	char extra;
+	if (sscanf(text, "%f%c", &options->resets, &extra) == 1 && options->resets > 0.0f && options->resets <= 100.0f)
+		return true;
+	return refuse_value(options, option, text, "be a number above 0, at most 100");
+}
+
 static bool read_scale(Options* options, const Option* option, char* text)
 {
 	char extra;
@@ -102,6 +110,16 @@ static const Option queries = {"queries", 'Q', "N", "number of queries of each k
                                NUMBER(Options, queries, 16000000)};
 static const Option repeats = {"repeats", 'r', "N", "runs of each scene or kind of query; default 3",
                                NUMBER(Options, repeats, 1000)};
+static const Option worlds = {
+    "worlds", 'b', "N",
+    "measure N copies of a scene in one batch, on the CPU unless --device names another: docs/manual/batch.md",
+    NUMBER(Options, worlds, 16777216)};
+static const Option resets = {"resets", 'y', "PERCENT",
+                              "with --worlds: part of the worlds that is reset before each step, at random",
+                              OTHER(read_resets)};
+static const Option template_steps = {"template-steps", 'f', "N",
+                                      "with --worlds: steps of the scene before it is copied; default 0",
+                                      NUMBER(Options, template_steps, 1000000)};
 static const Option whole = {"whole", 'w', NULL,
                              "measure whole runs, including the time to open the device: docs/manual/auto.md",
                              SWITCH(Options, whole)};
@@ -142,6 +160,9 @@ static const OptionRow rows[] = {
     {&queries, QUERIES},
     {&repeats, BENCH | QUERIES},
     {&whole, BENCH},
+    {&worlds, BENCH},
+    {&resets, BENCH},
+    {&template_steps, BENCH},
     {&option_known, BENCH},
     {&names, SCENES | VALIDATE},
     {&test, DEVICES},
@@ -191,6 +212,10 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 		return false;
 	if (options->command == VALIDATE && options->names &&
 	    options_no_effect(table, options, given, "dtluq", "--names runs nothing"))
+		return false;
+	if (options->worlds == 0 && options_no_effect(table, options, given, "yf", "there is no --worlds"))
+		return false;
+	if (options->worlds > 0 && options_no_effect(table, options, given, "wI", "--worlds measures the steps of a batch"))
 		return false;
 	if (options->whole && options_no_effect(table, options, given, "k", "--whole compares no hashes"))
 		return false;

@@ -278,6 +278,30 @@ grep -q ',0$' out || fail "bench: a sunk pile is not marked"
 refuse 2 'no scene is called "nothing"' hash nothing --steps 1
 refuse 2 'no scene is called "nothing"' bench pyramid nothing
 
+# batches: the first and the last world have the hash of the world alone, the sum is the same for all threads, lanes and runs
+heading=scene,settings,device,threads,lanes,worlds,resets,bodies,steps,ms_step,ms_least,ms_most,world_steps_s
+heading+=,hash_sum,hash_first,hash_last,hash,valid
+expect 0 "$heading" bench pyramid --steps 5 --set rows=6 --worlds 30 --threads 1
+cut -d, -f 1-9,15-18 out | grep -qxE "pyramid,rows=6,cpu,1,[0-9]+,30,0,22,5,$hash,$hash,$hash,1" || fail "bench --worlds: an unexpected row"
+awk -F, 'NR == 2 { exit !($11 <= $10 && $10 <= $12 && $13 > 0) }' out || fail "bench --worlds: times that cannot be"
+dolls=(ragdolls --steps 20 --set columns=1 --set rows=1 --worlds 40 --resets 10 --template-steps 30)
+expect 0 'columns=1 rows=1 --sleep=off --template-steps=30,cpu,2,' bench "${dolls[@]}" --threads 2
+sum=$(sed 1d out | cut -d, -f 14-18)
+expect 0 "$sum" bench "${dolls[@]}" --threads 1 --lanes 1 --repeats 1
+cp out batch.csv
+expect 0 "$sum" bench "${dolls[@]}" --repeats 1 --known batch.csv
+expect 0 ',1' bench "${dolls[@]}" --resets 0.5 --repeats 1
+grep -qF "${sum%%,*}" out && fail "bench --resets: the sum does not depend on the percentage"
+sed 's/,[0-9a-f]*,1$/,0123456789abcdef,1/' batch.csv >other.csv
+expect 1 'ragdolls is invalid: its hash is' bench "${dolls[@]}" --repeats 1 --known other.csv
+refuse 2 '--worlds 0: must be a whole number from 1' bench pyramid --worlds 0
+refuse 2 '--resets 0: must be a number above 0' bench pyramid --worlds 4 --resets 0
+refuse 2 '--resets has no effect: there is no --worlds' bench pyramid --resets 5
+refuse 2 '--whole has no effect: --worlds' bench pyramid --worlds 4 --whole
+refuse 2 'a scene is missing; --worlds measures no scenes but' bench --worlds 4
+refuse 2 'churn has churn, which the worlds of a batch cannot have' bench pyramid churn --worlds 4
+expect 2 'must have at most 4096' bench pyramid --worlds 4 --steps 2
+
 # validate: one experiment, and arguments that are refused; tests/test_validate.sh checks the rows of this command
 expect 0 'motion,free spin for a minute,scree,change of spin,' validate --quick --device cpu --threads 1 motion
 expect 0 'motion' validate --names

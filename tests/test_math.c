@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_math.c -- checks the arithmetic of scree_math.h against its formulas, and against the library.
+// test_math.c -- checks the arithmetic of scree_math.h against its formulas, and against the library; its random numbers.
 #include "support/make_bodies.h"
 #include <math.h>
 #include <scree/scree_math.h>
@@ -110,6 +110,30 @@ static void bits_do_not_depend_on_the_compiler(void** state)
 	assert_int_equal(hash, RESULT_BITS);
 }
 
+// Answers of the reference implementation, Random123, for Philox4x32-10 (its file kat_vectors): counter, key, result.
+static void random_numbers_are_those_of_the_reference(void** state)
+{
+	(void)state;
+	static const struct
+	{
+		uint64_t seed, world;
+		uint32_t step, index, words[4];
+	} known[] = {{0, 0, 0, 0, {0x6627e8d5u, 0xe169c58du, 0xbc57ac4cu, 0x9b00dbd8u}},
+	             {UINT64_MAX, UINT64_MAX, UINT32_MAX, UINT32_MAX, {0x408f276du, 0x41c83b0eu, 0xa20bc7c6u, 0x6d5451fdu}},
+	             {0x299f31d0a4093822u,
+	              0x0370734413198a2eu,
+	              0x85a308d3u,
+	              0x243f6a88u,
+	              {0xd16cfe09u, 0x94fdccebu, 0x5001e420u, 0x24126ea1u}}};
+	for (size_t k = 0; k < sizeof known / sizeof *known; ++k)
+	{
+		const scree_random r = scree_random_make(known[k].seed, known[k].world, known[k].step, known[k].index);
+		assert_memory_equal(r.words, known[k].words, sizeof r.words);
+	}
+	assert_true(scree_random_between(0, -2.0f, 6.0f) == -2.0f && scree_random_between(1u << 31, -2.0f, 6.0f) == 2.0f);
+	assert_true(scree_random_between(UINT32_MAX, 0.0f, 1.0f) < 1.0f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -117,6 +141,7 @@ int main(void)
 	    cmocka_unit_test(rotations_and_poses),
 	    cmocka_unit_test(points_are_those_of_the_library),
 	    cmocka_unit_test(bits_do_not_depend_on_the_compiler),
+	    cmocka_unit_test(random_numbers_are_those_of_the_reference),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,6 +42,9 @@ typedef struct
 	int hash_interval;       // steps from one hash of the recording to the next
 	const char* against;     // device of a second world; null: none
 	int queries;             // 0: 1,000,000 queries
+	int worlds;              // number of worlds of a batch; 0: no batch
+	int template_steps;      // steps of the template of a batch before it is copied
+	float resets;            // percentage of the worlds of a batch that are reset before each step
 	const char* known;       // path of a CSV with expected hashes; null: none
 	bool names, test, whole, quick;
 	bool help; // true: the command prints its help; the options after --help were not read

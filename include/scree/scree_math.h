@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// scree_math.h -- arithmetic of vectors, rotations and poses for programs that use Scree, in static inline functions.
+// scree_math.h -- arithmetic of vectors, rotations and poses, and random numbers, for programs that use Scree, in static inline
+// functions.
 //
 // The library does not need this header. All functions have the units of their arguments and no errors; a NaN gives NaN.
 //
@@ -182,6 +183,43 @@ SCREE_MATH scree_pose scree_pose_lerp(scree_pose a, scree_pose b, float t)
 	pose.position = scree_vec_lerp(a.position, b.position, t);
 	pose.rotation = scree_rot_lerp(a.rotation, b.rotation, t);
 	return pose;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// Random numbers
+//
+// They are a function of four counters and have no state, so worlds that are stepped in any order, by any thread and in any
+// process get the same numbers. Philox4x32-10 of John Salmon, Mark Moraes, Ron Dror, David Shaw, Parallel Random Numbers: As
+// Easy as 1, 2, 3, 2011.
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct scree_random // four independent random numbers
+{
+	uint32_t words[4];
+} scree_random;
+
+// Returns four random numbers, others for each seed, world, step and index. world: number of a world in all processes; step: for
+// instance number of the step or of the episode; index: number of the draw within one world and step.
+SCREE_MATH scree_random scree_random_make(uint64_t seed, uint64_t world, uint32_t step, uint32_t index)
+{
+	uint32_t key[2] = {(uint32_t)seed, (uint32_t)(seed >> 32)};
+	scree_random r = {{index, step, (uint32_t)world, (uint32_t)(world >> 32)}};
+	for (int round = 0; round < 10; ++round)
+	{
+		const uint64_t a = (uint64_t)0xd2511f53u * r.words[0], b = (uint64_t)0xcd9e8d57u * r.words[2];
+		const scree_random next = {{(uint32_t)(b >> 32) ^ r.words[1] ^ key[0], (uint32_t)b,
+		                            (uint32_t)(a >> 32) ^ r.words[3] ^ key[1], (uint32_t)a}};
+		r = next;
+		key[0] += 0x9e3779b9u;
+		key[1] += 0xbb67ae85u;
+	}
+	return r;
+}
+
+// Returns a number from low to high that is proportional to the upper 24 bits of a word of scree_random.
+SCREE_MATH float scree_random_between(uint32_t word, float low, float high)
+{
+	return scree_lerp(low, high, (float)(word >> 8) * (1.0f / 16777216.0f));
 }
 
 #ifdef __cplusplus
