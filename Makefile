@@ -9,7 +9,8 @@ build_packages := gcc libc6-dev cmake ninja-build pkg-config libjansson-dev libc
 	ocl-icd-libopencl1 pocl-opencl-icd
 view_packages := g++ libglfw3-dev libimgui-dev libepoxy-dev libvulkan-dev libegl1 libgl1-mesa-dri
 web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs terser
-test_packages := $(view_packages) xvfb twm xdotool git clang-format libcmocka-dev libsdl2-dev gnuplot-nox ffmpeg jq
+test_packages := $(view_packages) xvfb twm xdotool git clang-format libcmocka-dev libsdl2-dev gnuplot-nox ffmpeg jq \
+	libopenmpi-dev openmpi-bin
 ifneq ($(shell uname -m),aarch64)
 test_packages += gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user # for test_aarch64; 56 MB
 endif

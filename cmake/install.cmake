@@ -16,6 +16,20 @@ install(FILES include/scree/scree.h include/scree/scree_math.h DESTINATION ${CMA
 if(TARGET scree::scene)
 	install(FILES include/scree/scree_scene.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scree)
 endif()
+# targets of their own, because only programs that use them need MPI
+if(TARGET scree::mpi)
+	set(forms "")
+	foreach(name mpi_static mpi_shared)
+		if(TARGET scree_${name})
+			list(APPEND forms scree_${name})
+		endif()
+	endforeach()
+	install(TARGETS ${forms} EXPORT scree-mpi-targets
+		ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+		LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+	install(FILES include/scree/scree_mpi.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scree)
+	install(EXPORT scree-mpi-targets NAMESPACE scree:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/scree)
+endif()
 if(TARGET scree_cli)
 	install(TARGETS scree_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 	install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/scree FILES_MATCHING PATTERN "*.json")
@@ -57,6 +71,10 @@ install(FILES ${PROJECT_BINARY_DIR}/scree.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}
 if(TARGET scree::scene)
 	configure_file(cmake/scree_scene.pc.in ${PROJECT_BINARY_DIR}/scree_scene.pc @ONLY)
 	install(FILES ${PROJECT_BINARY_DIR}/scree_scene.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
+if(TARGET scree::mpi)
+	configure_file(cmake/scree_mpi.pc.in ${PROJECT_BINARY_DIR}/scree_mpi.pc @ONLY)
+	install(FILES ${PROJECT_BINARY_DIR}/scree_mpi.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
 
 if(top)

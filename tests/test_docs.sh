@@ -15,7 +15,7 @@ for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md 
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
-		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|scene|scenes|src|tests|tools|validate|view|web)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
+		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|mpi|scene|scenes|src|tests|tools|validate|view|web)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
 	folder=$([[ $document = */* ]] && echo "${document%/*}" || echo .)
 	while read -r path; do
 		[ -e "$folder/$path" ] || complain "$document: the link to $path leads nowhere"
@@ -56,7 +56,7 @@ exists()
 }
 
 # each of these folders has a README, in which a table names the files for each kind of change; these files exist
-for folder in bench cli scene tests view web src/*/; do
+for folder in bench cli mpi scene tests view web src/*/; do
 	document=${folder%/}/README.md
 	[ -e "$document" ] || { complain "$document: does not exist"; continue; }
 	while read -r path; do
@@ -85,7 +85,7 @@ done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9
 sources=(-name '*.c' -o -name '*.h' -o -name '*.cl' -o -name '*.cpp' -o -name '*.def' -o -name '*.js' -o -name '*.mjs'
 	-o -name '*.vert' -o -name '*.frag' -o -name '*.glsl')
 scripts=(-name '*.sh' -o -name '*.awk' -o -name '*.cmake' -o -name CMakeLists.txt)
-folders=(bench cli examples include scene src tests tools validate view web)
+folders=(bench cli examples include mpi scene src tests tools validate view web)
 while read -r line; do
 	complain "$line"
 done < <(find "${folders[@]}" \( "${sources[@]}" \) -print0 | sort -z | xargs -0 awk -f tests/comments.awk)

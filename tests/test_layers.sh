@@ -53,7 +53,7 @@ api/batch
 api/record'
 
 # folders beside the library, which are searched only for circles of includes
-beside='cli scene tools validate view'
+beside='cli mpi scene tools validate view'
 
 # folders of src/ whose headers are not checked for definitions: functions of the stages, the constraints, the pools and the dialect
 # are in headers, and headers of the backends declare functions of several files

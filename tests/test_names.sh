@@ -48,6 +48,10 @@ check()
 		strangers=$(nm -g --defined-only "$build/libscree_scene.a" | awk 'NF == 3 { print $3 }' | grep -v '^scree_scene_' || true)
 		[ -z "$strangers" ] || { echo "$name: libscree_scene.a has the global names" $strangers; exit 1; }
 	fi
+	if [ -f "$build/libscree_mpi.a" ]; then
+		strangers=$(nm -g --defined-only "$build/libscree_mpi.a" | awk 'NF == 3 { print $3 }' | grep -v '^scree_mpi_' || true)
+		[ -z "$strangers" ] || { echo "$name: libscree_mpi.a has the global names" $strangers; exit 1; }
+	fi
 	"$compiler" -std=c17 $flags -I "$SCREE_SOURCE/include" "$scratch/game.c" "$build/libscree.a" -lm -lpthread -ldl -o "$build/game"
 	[ "$("$build/game")" = 21 ] || { echo "$name: the program prints something else"; exit 1; }
 	echo "$name: $(nm -g --defined-only "$build/libscree.a" | grep -c ' scree_') names, all scree_*"
@@ -56,6 +60,8 @@ check()
 # the library of scene files is built if Jansson is installed
 targets=scree_static
 pkg-config --exists jansson && targets="scree_static scree_scene_static"
+# so is the library for MPI
+command -v mpicc >/dev/null && targets="$targets scree_mpi_static"
 check debug clang "-O0" -DCMAKE_BUILD_TYPE=Debug
 check lto gcc "-O0 -flto" -DCMAKE_BUILD_TYPE=None -DCMAKE_INTERPROCEDURAL_OPTIMIZATION=ON
 check lto_clang clang "-O0 -flto" -DCMAKE_BUILD_TYPE=None

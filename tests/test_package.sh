@@ -62,6 +62,22 @@ if [ -f "$libdir/libscree_scene.a" ]; then
 	strangers=$(nm -D --defined-only "$libdir/libscree_scene.so" | awk '{print $3}' | grep -v '^scree_scene_' || true)
 	[ -z "$strangers" ] || { echo "libscree_scene.so exports: $strangers"; exit 1; }
 fi
+if [ -f "$libdir/libscree_mpi.a" ]; then
+	mpi=$SCREE_SOURCE/tests/tools/mpi_worlds.c
+	OMPI_CC=$CC MPICH_CC=$CC mpicc -std=c17 -Wall -Wextra -Werror "$mpi" -o "$scratch/mpi_shared" $(pkg-config --cflags --libs scree_mpi) -lm
+	mkdir "$scratch/mpi"
+	printf 'cmake_minimum_required(VERSION 3.22)\nproject(worlds C)\nfind_package(scree REQUIRED COMPONENTS mpi)\nadd_executable(worlds %s)\ntarget_link_libraries(worlds scree::mpi m)\n' \
+		"$mpi" >"$scratch/mpi/CMakeLists.txt"
+	cmake -S "$scratch/mpi" -B "$scratch/mpi/build" -DCMAKE_PREFIX_PATH="$prefix" >>"$scratch/log"
+	cmake --build "$scratch/mpi/build" >>"$scratch/log" || { cat "$scratch/log"; exit 1; }
+	for program in "$scratch/mpi_shared" "$scratch/mpi/build/worlds"; do
+		# a program of MPI that is started alone has one rank
+		LD_LIBRARY_PATH=$libdir OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "$program" | tee "$scratch/mpi.txt"
+		grep -q '^after failures: sum ' "$scratch/mpi.txt"
+	done
+	strangers=$(nm -D --defined-only "$libdir/libscree_mpi.so" | awk '{print $3}' | grep -v '^scree_mpi_' || true)
+	[ -z "$strangers" ] || { echo "libscree_mpi.so exports: $strangers"; exit 1; }
+fi
 grep -q 'the box rests at .*, 0\.[45]' "$scratch/cmake_OFF.txt"
 # the car drives over the bump and stays on its wheels
 cmp "$scratch/car_OFF.txt" "$scratch/car_ON.txt"

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# test_mpi.sh -- runs a batch over 1, 2, 3 and 4 ranks of MPI, with the same results; calls that fail on one rank fail on all.
+set -uo pipefail
+program=${SCREE_BUILD:?is the build folder}/tests/mpi_worlds
+
+skip()
+{
+	echo "skipped: $*"
+	[[ " ${SCREE_EXPECT:-} " == *" mpi "* ]] && exit 1
+	exit 77
+}
+[ -x "$program" ] || skip "MPI was not found when this build was configured; Debian has it in libopenmpi-dev"
+run=${SCREE_MPIEXEC:-mpiexec}
+command -v "$run" >/dev/null || skip "there is no $run, which starts programs of MPI; Debian has it in openmpi-bin"
+
+# Open MPI refuses to run as root, and to start more ranks than there are cores; idle ranks would take the cores of busy ones
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
+# containers forbid that processes read each other's memory, and have no network but the loopback
+export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_btl=self,vader
+scratch=$(mktemp -d "$SCREE_BUILD/mpi.XXXXXX")
+trap 'rm -rf "$scratch"' EXIT
+
+failures=0
+for ranks in 1 2 3 4; do
+	timeout 120 "$run" -n $ranks "$program" >"$scratch/$ranks" 2>"$scratch/errors" || {
+		echo "FAILED: $ranks ranks: exit code $?"
+		cat "$scratch/$ranks" "$scratch/errors"
+		failures=$((failures + 1))
+		continue
+	}
+	[ "$(wc -l <"$scratch/$ranks")" = 6 ] || { echo "FAILED: $ranks ranks: not six lines"; failures=$((failures + 1)); }
+	diff "$scratch/1" "$scratch/$ranks" || { echo "FAILED: $ranks ranks: other results than one rank"; failures=$((failures + 1)); }
+done
+cat "$scratch/1"
+echo "$failures failures"
+[ "$failures" = 0 ]
