@@ -81,7 +81,9 @@ static void test_shipped(void** state)
 	    {"pond", 2028, 2048, 0},          {"blast", 730, 730, 0},
 	    {"lidar", 1941, 1951, 0},         {"platformer", 58, 58, 4},
 	    {"platforms", 279, 279, 0},       {"city", 4153, 4153, 1308},
-	    {"alarm-clock", 170, 198, 32},
+	    {"alarm-clock", 170, 198, 32},    {"walker", 12, 12, 6},
+	    {"cart-pole", 3, 5, 2},           {"lander", 13, 15, 2},
+	    {"gripper", 12, 15, 4},           {"pusher", 12, 12, 1},
 	};
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);
