@@ -2423,8 +2423,12 @@ typedef struct scree_batch_def
 	// with paths, or with pairs of materials, must be the only one.
 	scree_world** templates;
 	int template_count;
-	const int* template_of;  // for each world, the index of its template; null (default): world i has template i modulo
-	                         // template_count
+	const int* template_of; // for each world, the index of its template; null (default): world i has template i modulo
+	                        // template_count
+	// Maximum number of contacts of a world, 0 to 4,096; 0 (default): 4,096, or fewer if there are more than 16,384 worlds. A
+	// world that gets more is left as it was and paused (scree_batch_counters.crowded); alone, with this
+	// scree_world_def.contact_limit, its step would be refused.
+	int contact_limit;
 	const char* device;      // "cpu" (default), "opencl" or "opencl:NAME", as in scree_world_def
 	int threads;             // CPU worker threads, 0 to 64; 0 (default): one per core
 	int lanes;               // as in scree_world_def
@@ -2444,15 +2448,37 @@ SCREE_API scree_status scree_batch_create(const scree_batch_def* def, scree_batc
 // Destroys a batch. batch may be null.
 SCREE_API void scree_batch_destroy(scree_batch* batch);
 
-// Applies the inputs of the steps, advances all worlds by `steps` steps, at least 0, and writes the outputs. With 0 steps it
-// does nothing. dt, substeps: as for scree_world_step. Inputs out of range are refused, and nothing changes. Another failure breaks the batch: every
-// later call returns the same status, and it can only be destroyed.
+// Applies the inputs of the steps, advances all worlds that are not paused by `steps` steps, at least 0, and writes the outputs.
+// With 0 steps it does nothing. dt, substeps: as for scree_world_step. A world with more contacts than
+// scree_batch_def.contact_limit is left as it was before the step, and paused; all others go on. Inputs out of range are
+// refused, and nothing changes. Another failure breaks the batch: every later call returns the same status, and it can only
+// be destroyed.
 SCREE_API scree_status scree_batch_step(scree_batch* batch, float dt, int substeps, int steps);
 
-// Puts worlds back to the states of their templates. mask: one byte per world, other than 0 for each world to reset;
-// null: all worlds. If a template with joints has been stepped, the substeps of its last step and of the last step of the
+// Puts worlds back to the states of their templates. Worlds that were paused then run. mask: one byte per world, other than 0
+// for each world to reset; null: all worlds. If a template with joints has been stepped, the substeps of its last step and of the last step of the
 // batch must have equal lengths, otherwise this fails with SCREE_ERROR_INVALID.
 SCREE_API scree_status scree_batch_reset(scree_batch* batch, const uint8_t* mask);
+
+// Pauses worlds: they are not stepped until a later call has byte 0 for them, or they are reset. They cost no time. mask: one
+// byte per world, other than 0 for each world to pause; all other worlds run, also those that were paused because they had too
+// many contacts; null: all worlds run. The substeps of the last step of a world with joints that was paused, and of the last
+// step of the batch, must have equal lengths when the world runs again, otherwise this fails with SCREE_ERROR_INVALID.
+SCREE_API scree_status scree_batch_pause(scree_batch* batch, const uint8_t* mask);
+
+typedef struct
+    scree_batch_counters // counters of a world; all but crowded are those of scree_counters, for the world alone
+{
+	// Contacts that the world needed when it was paused because they were more than scree_batch_def.contact_limit; 0 if it
+	// was not, or after it ran again or was reset.
+	int32_t crowded;
+	int32_t frozen_bodies, contacts, touching;
+	float penetration, joint_gap; // m
+} scree_batch_counters;
+
+// Writes the counters of the last step of each world, paused ones too. counters: array with one entry per world. After a reset
+// they are those of the template.
+static inline scree_status scree_batch_get_counters(scree_batch* batch, scree_batch_counters* counters);
 
 // Writes the hash of each world: the one that scree_world_get_hash returns for the same world alone. hashes: array with
 // one entry per world.
@@ -2536,7 +2562,7 @@ SCREE_API int scree_batch_get_columns(const scree_batch* batch, scree_channels l
 // again. Null if the list is empty, or if batch is null.
 SCREE_API float* scree_batch_get_rows(const scree_batch* batch, scree_channels list);
 
-// Writes the outputs of the current state, for instance after a reset.
+// Writes the outputs of the current state, for instance after a reset. Rows of paused worlds stay as they were.
 SCREE_API scree_status scree_batch_observe(scree_batch* batch);
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -2773,6 +2799,12 @@ SCREE_API scree_status scree_world_get_counters_sized(scree_world* world, scree_
 static inline scree_status scree_world_get_counters(scree_world* world, scree_counters* counters)
 {
 	return scree_world_get_counters_sized(world, counters, sizeof *counters);
+}
+
+SCREE_API scree_status scree_batch_get_counters_sized(scree_batch* batch, scree_batch_counters* counters, size_t size);
+static inline scree_status scree_batch_get_counters(scree_batch* batch, scree_batch_counters* counters)
+{
+	return scree_batch_get_counters_sized(batch, counters, sizeof *counters);
 }
 
 SCREE_API scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size);

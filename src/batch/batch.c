@@ -84,6 +84,10 @@ static scree_status read_templates(scree_batch* batch, const scree_batch_def* de
 		if (!moves_alike(made, batch->templates))
 			return fail(SCREE_ERROR_INVALID, "%s: template %d has another gravity, tuning or substep than template 0",
 			            function, t);
+		int contacts = made->pipeline.counters.alive - made->pipeline.counters.released;
+		if (def->contact_limit > 0 && contacts > def->contact_limit)
+			return fail(SCREE_ERROR_INVALID, "%s: template %d has %d contacts, more than def.contact_limit, %d",
+			            function, t, contacts, def->contact_limit);
 		pairs = made->count[POOL_material_pair] > 0 && pairs < 0 ? t : pairs;
 		paths = made->count[POOL_path_sample] > 0 && paths < 0 ? t : paths;
 		if ((pairs >= 0 || paths >= 0) && t > 0)
@@ -136,7 +140,7 @@ static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, 
 		TRY(open_device(def, cpu ? 1 : def->threads, &backend));
 		batch->block_count = k + 1;
 		TRY(block_open(batch->blocks + k, backend, batch->templates, batch->template_count, batch->template_of, first,
-		               count));
+		               count, def->contact_limit));
 	}
 	if (blocks > 1 && workers > 1)
 	{

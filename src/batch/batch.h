@@ -14,6 +14,7 @@ struct scree_batch
 	ChannelSet sets[CHANNEL_LISTS];
 	Threads* threads;    // workers, each of which steps one block at a time; null if there is one block
 	scree_status broken; // sticky error, SCREE_OK while healthy
+	bool warned;         // a warning of a crowded world was logged
 };
 
 // Makes a batch. The arguments are checked. On failure *batch is null.

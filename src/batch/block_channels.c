@@ -51,9 +51,10 @@ static scree_status reserve_rows(Block* block)
 	for (int k = 0; k < CHANNEL_LISTS; ++k)
 		if (converts(block->sets + k) && block->sets[k].columns > columns)
 			columns = block->sets[k].columns;
-	scree_release(block->rows);
-	block->rows = scree_allocate(sizeof(float) * ((size_t)block->worlds * (size_t)columns + 1));
-	return block->rows ? SCREE_OK : fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for rows of %d worlds", block->worlds);
+	scree_release(block->converted);
+	block->converted = scree_allocate(sizeof(float) * ((size_t)block->worlds * (size_t)columns + 1));
+	return block->converted ? SCREE_OK
+	                        : fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for rows of %d worlds", block->worlds);
 }
 
 static scree_status write_list(Block* block, int which, int templates)
@@ -89,58 +90,76 @@ scree_status block_bind(Block* block, const ChannelSet* sets, int templates)
 	QueryPlan plan = {.shape = {.count = 1}}; // settings of rays: those of a query by default
 	TRY(b->f->write(b, POOL_query_plan, 0, 1, &plan));
 	const ChannelSet* outputs = sets + CHANNELS_OUTPUTS;
-	return run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_BEGINS, block->worlds, 0,
+	return run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_BEGINS, p->live_bays, 0,
 	                  outputs->joint_group);
 }
 
 static scree_status apply(Block* block, int bits)
 {
 	const ChannelSet* set = block->sets + CHANNELS_STEP;
-	return run_groups(block, KERNEL_channel_input, CHANNELS_STEP, bits, block->worlds, 0, set->groups);
+	return run_groups(block, KERNEL_channel_input, CHANNELS_STEP, bits, block->pipeline.live_bays, 0, set->groups);
 }
 
 scree_status block_apply_inputs(Block* block)
 {
 	Backend* b = block->backend;
-	block->request.targets = 0;
 	if (!block->sets || block->sets[CHANNELS_STEP].count == 0)
 		return SCREE_OK;
 	const ChannelSet* set = block->sets + CHANNELS_STEP;
 	const float* rows = memory_of(block, CHANNELS_STEP);
 	size_t columns = (size_t)set->columns;
 	for (int k = 0; k < block->worlds && converts(set); ++k)
-		channels_put(set, block->rows + (size_t)k * columns, rows + (size_t)k * columns);
+		channels_put(set, block->converted + (size_t)k * columns, rows + (size_t)k * columns);
 	TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_STEP].column, block->worlds * set->columns,
-	                converts(set) ? block->rows : rows));
-	if (set->aims)
-	{
-		block->request.targets = set->joint_group * block->worlds;
-		block->request.aims = RUN_PAIR(CHANNELS_STEP, block->worlds);
-	}
+	                converts(set) ? block->converted : rows));
 	block->pipeline.edited |= set->places;
 	return apply(block, 0);
 }
 
 scree_status block_apply_again(Block* block)
 {
-	block->request.targets = 0;
 	return block->sets && block->sets[CHANNELS_STEP].acts ? apply(block, CHANNEL_AGAIN) : SCREE_OK;
 }
 
-scree_status block_apply_reset(Block* block, int copies)
+void block_aim(Block* block, bool first)
+{
+	int live = block->pipeline.live_bays;
+	bool aims = first && block->sets && block->sets[CHANNELS_STEP].aims;
+	block->request.targets = aims ? block->sets[CHANNELS_STEP].joint_group * live : 0;
+	block->request.aims = RUN_PAIR(CHANNELS_STEP, live);
+}
+
+// Lists the bays of the worlds that were reset, and gathers their rows.
+static int gather_resets(Block* block, const ChannelSet* set)
+{
+	int count = 0;
+	for (int row = 0; row < block->worlds; ++row)
+	{
+		if (!(block->plan[row] & PLAN_RESET))
+			continue;
+		size_t columns = (size_t)set->columns;
+		if (set->count > 0)
+			channels_put(set, block->converted + (size_t)count * columns,
+			             memory_of(block, CHANNELS_RESET) + (size_t)row * columns);
+		block->copies[count++] = make_int2(0, block->bay_of[row]);
+	}
+	return count;
+}
+
+scree_status block_apply_reset(Block* block)
 {
 	Backend* b = block->backend;
-	if (!block->sets || copies == 0)
+	if (!block->sets || block->sets[CHANNELS_RESET].count + block->sets[CHANNELS_OUTPUTS].count == 0)
 		return SCREE_OK;
 	const ChannelSet *set = block->sets + CHANNELS_RESET, *outputs = block->sets + CHANNELS_OUTPUTS;
-	size_t columns = (size_t)set->columns;
-	for (int k = 0; k < copies && set->count > 0; ++k)
-		channels_put(set, block->rows + (size_t)k * columns,
-		             memory_of(block, CHANNELS_RESET) + (size_t)block->copies[k].y * columns);
+	int resets = gather_resets(block, set);
+	if (resets == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, POOL_bay_copy, 0, resets, block->copies));
 	if (set->count > 0)
-		TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_RESET].column, copies * set->columns, block->rows));
-	TRY(run_groups(block, KERNEL_channel_input, CHANNELS_RESET, CHANNEL_COPIES, copies, 0, set->groups));
-	return run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_COPIES | CHANNEL_BEGINS, copies, 0,
+		TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_RESET].column, resets * set->columns, block->converted));
+	TRY(run_groups(block, KERNEL_channel_input, CHANNELS_RESET, CHANNEL_COPIES, resets, 0, set->groups));
+	return run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_COPIES | CHANNEL_BEGINS, resets, 0,
 	                  outputs->joint_group);
 }
 
@@ -150,15 +169,15 @@ scree_status block_write_outputs(Block* block)
 	const ChannelSet* set = block->sets ? block->sets + CHANNELS_OUTPUTS : NULL;
 	if (!set || set->count == 0)
 		return SCREE_OK;
-	int rows = block->worlds;
-	TRY(run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, 0, rows, 0, set->joint_group));
-	TRY(run_groups(block, KERNEL_channel_joint, CHANNELS_OUTPUTS, 0, rows, set->joint_group, set->ray_group));
-	TRY(run_groups(block, KERNEL_channel_ray, CHANNELS_OUTPUTS, 0, rows, set->ray_group, set->groups));
+	int rows = block->worlds, live = block->pipeline.live_bays;
+	TRY(run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, 0, live, 0, set->joint_group));
+	TRY(run_groups(block, KERNEL_channel_joint, CHANNELS_OUTPUTS, 0, live, set->joint_group, set->ray_group));
+	TRY(run_groups(block, KERNEL_channel_ray, CHANNELS_OUTPUTS, 0, live, set->ray_group, set->groups));
 	float* memory = memory_of(block, CHANNELS_OUTPUTS);
-	float* to = converts(set) ? block->rows : memory;
+	float* to = converts(set) ? block->converted : memory;
 	TRY(b->f->read(b, POOL_column, block->lists[CHANNELS_OUTPUTS].column, rows * set->columns, to));
 	size_t columns = (size_t)set->columns;
 	for (int k = 0; k < rows && converts(set); ++k)
-		channels_get(set, memory + (size_t)k * columns, block->rows + (size_t)k * columns);
+		channels_get(set, memory + (size_t)k * columns, block->converted + (size_t)k * columns);
 	return SCREE_OK;
 }

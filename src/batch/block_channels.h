@@ -7,15 +7,18 @@
 // Writes the lists of channels to the pools. sets: CHANNEL_LISTS lists, which outlive the block.
 scree_status block_bind(Block* block, const ChannelSet* sets, int templates);
 
-// Applies the inputs of a step. Sets the members of Block.request for targets.
+// Applies the inputs of a step, except targets.
 scree_status block_apply_inputs(Block* block);
 // Applies forces and torques again, before the second and later steps of a call.
 scree_status block_apply_again(Block* block);
 
-// Applies the inputs of a reset to the worlds of Block.copies.
-scree_status block_apply_reset(Block* block, int copies);
+// Sets the members of Block.request for targets of the next step. first: true for the first step of a call, in which they act.
+void block_aim(Block* block, bool first);
 
-// Computes the outputs, and writes them to the memory of the user.
+// Applies the inputs of a reset to the worlds that Block.plan has put back to their templates.
+scree_status block_apply_reset(Block* block);
+
+// Computes the outputs of worlds that run, and writes all outputs to the memory of the user.
 scree_status block_write_outputs(Block* block);
 
 #endif

@@ -40,8 +40,23 @@ static scree_status fill_spare(Block* block, const Template* from, int bay)
 	                  .ways = c->ways,
 	                  .taut = c->taut,
 	                  .taut_seen = from->pipeline.taut,
-	                  .joints_dirty = c->joints_dirty && from->contacts > 0};
+	                  .joints_dirty = c->joints_dirty && from->contacts > 0,
+	                  .penetration = c->penetration,
+	                  .joint_gap = c->joint_gap,
+	                  .nonfinite = c->nonfinite};
+	Bay numbers = {from->bodies, from->collidables, from->first_attribute, -1, (int)(from - block->templates), {0}};
+	TRY(b->f->write(b, POOL_bay, bay, 1, &numbers));
 	return b->f->write(b, POOL_bay_state, bay, 1, &state);
+}
+
+// Writes a bay without items. All items of the pools are zero, or free slots.
+static scree_status fill_empty(Block* block)
+{
+	Backend* b = block->backend;
+	Bay none = {.world = -1};
+	BayState state = {.taut = 0};
+	TRY(b->f->write(b, POOL_bay, block->empty, 1, &none));
+	return b->f->write(b, POOL_bay_state, block->empty, 1, &state);
 }
 
 static scree_status fill_attributes(Block* block, int templates)
@@ -68,39 +83,39 @@ static scree_status fill_attributes(Block* block, int templates)
 	return SCREE_OK;
 }
 
-static scree_status fill_bays(Block* block)
+static const Template* bay_template(const Block* block, int bay) { return block_template(block, block->row_of[bay]); }
+
+// Lists the kinematic bodies of the live bays, if they are few.
+static void list_kinematics(Block* block)
 {
-	Backend* b = block->backend;
-	Bay* rows = scree_allocate(sizeof *rows * (size_t)block->worlds);
-	if (!rows)
-		return no_memory();
-	for (int k = 0; k < block->worlds; ++k)
+	int count = 0, live = block->pipeline.live_bays;
+	for (int bay = 0; bay < live; ++bay)
+		count += bay_template(block, bay)->request.kinematic;
+	block->request.kinematic = count;
+	for (int bay = 0, n = 0; bay < live && count <= KINEMATIC_FEW; ++bay)
 	{
-		int number = block->template_of[block->first + k];
-		const Template* from = block->templates + number;
-		rows[k] = (Bay){from->bodies, from->collidables, from->first_attribute, k, number, {0}};
+		const Template* from = bay_template(block, bay);
+		for (int i = 0; i < from->request.kinematic; ++i)
+			block->kinematics[n++] = bay * block->pipeline.bays.bodies + from->kinematics[i];
 	}
-	scree_status status = b->f->write(b, POOL_bay, 0, block->worlds, rows);
-	scree_release(rows);
-	return status;
 }
 
-// Writes the pairs of bodies that users keep from touching, for each world.
+// Writes the pairs of bodies that users keep from touching, for each live bay.
 static scree_status fill_excluded(Block* block)
 {
 	Backend* b = block->backend;
-	int count = 0;
-	for (int k = 0; k < block->worlds; ++k)
-		count += block->templates[block->template_of[block->first + k]].count[POOL_excluded];
+	int count = 0, live = block->pipeline.live_bays;
+	for (int k = 0; k < live; ++k)
+		count += bay_template(block, k)->count[POOL_excluded];
 	block->pipeline.excluded = count;
 	if (count == 0)
 		return SCREE_OK;
 	Word64* pairs = scree_allocate(sizeof *pairs * (size_t)count);
 	if (!pairs)
 		return no_memory();
-	for (int k = 0, n = 0; k < block->worlds; ++k)
+	for (int k = 0, n = 0; k < live; ++k)
 	{
-		const Template* from = block->templates + block->template_of[block->first + k];
+		const Template* from = bay_template(block, k);
 		Word64 first = (Word64)(k * block->pipeline.bays.bodies);
 		for (int i = 0; i < from->count[POOL_excluded]; ++i)
 			pairs[n++] = from->image.excluded[i] == NO_PAIR ? NO_PAIR : from->image.excluded[i] + (first << 32 | first);
@@ -149,9 +164,8 @@ static scree_status place_chains(Block* block, ChainLayout* all, int joint_slots
 	const Bays* bays = &block->pipeline.bays;
 	int joints = 0, nodes = 0;
 	memset(all->spots, -1, sizeof(int) * (size_t)joint_slots);
-	for (int k = 0; k < block->worlds; ++k)
-		add_chains(all, block->templates + block->template_of[block->first + k], k << bays->joint_bits,
-		           k * bays->bodies, &joints, &nodes);
+	for (int k = 0; k < block->pipeline.live_bays; ++k)
+		add_chains(all, bay_template(block, k), k << bays->joint_bits, k * bays->bodies, &joints, &nodes);
 	chain_layout(all, b->chain_lanes, b->groups);
 	TRY(chains_upload(&block->pipeline, all));
 	return b->f->write(b, POOL_joint_spot, 0, joint_slots, all->spots);
@@ -160,10 +174,11 @@ static scree_status place_chains(Block* block, ChainLayout* all, int joint_slots
 static scree_status fill_chains(Block* block)
 {
 	const Bays* bays = &block->pipeline.bays;
-	size_t slots = (size_t)block->worlds << bays->joint_bits, rows = 0, joints = 0, branches = 0, nodes = 0;
-	for (int k = 0; k < block->worlds; ++k)
+	int live = block->pipeline.live_bays;
+	size_t slots = (size_t)live << bays->joint_bits, rows = 0, joints = 0, branches = 0, nodes = 0;
+	for (int k = 0; k < live; ++k)
 	{
-		const ChainSearch* chains = &block->templates[block->template_of[block->first + k]].chains;
+		const ChainSearch* chains = &bay_template(block, k)->chains;
 		rows += (size_t)chains->layout.count;
 		joints += (size_t)chains->joints;
 		branches += (size_t)chains->layout.branch_count;
@@ -185,25 +200,63 @@ static scree_status fill_chains(Block* block)
 	return status;
 }
 
-scree_status block_fill(Block* block, int templates)
+// Returns whether some template of the block has pairs of bodies that never touch, or chains.
+static bool has_excluded(const Block* block)
+{
+	for (int t = 0; t < block->template_count; ++t)
+		if (block->spare_of[t] >= 0 && block->templates[t].count[POOL_excluded] > 0)
+			return true;
+	return false;
+}
+
+static bool has_chains(const Block* block)
+{
+	for (int t = 0; t < block->template_count; ++t)
+		if (block->spare_of[t] >= 0 &&
+		    block->templates[t].chains.layout.count + block->templates[t].chains.layout.branch_count > 0)
+			return true;
+	return false;
+}
+
+// Sets the numbers of items in use.
+static void count_items(Block* block)
+{
+	block->request.bodies = block->pipeline.live_bays * block->pipeline.bays.bodies;
+	block->request.collidables = block->pipeline.live_bays * block->pipeline.bays.collidables;
+	list_kinematics(block);
+}
+
+scree_status block_count(Block* block, int live)
+{
+	Pipeline* p = &block->pipeline;
+	bool excluded = has_excluded(block), chains = has_chains(block);
+	TRY(bays_live(p, live, (excluded ? BAY_COUNT_EXCLUDED : 0) | (chains ? BAY_COUNT_SPOTS : 0)));
+	count_items(block);
+	p->dirty |= p->bay_joints || excluded;
+	if (live == 0)
+		return SCREE_OK;
+	if (excluded)
+		TRY(fill_excluded(block));
+	return chains ? fill_chains(block) : SCREE_OK;
+}
+
+scree_status block_fill(Block* block)
 {
 	Backend* b = block->backend;
 	Pipeline* p = &block->pipeline;
-	TRY(fill_attributes(block, templates));
-	TRY(fill_bays(block));
+	TRY(fill_attributes(block, block->template_count));
 	TRY(fill_excluded(block));
 	TRY(fill_chains(block));
-	for (int t = 0; t < templates; ++t)
+	TRY(fill_empty(block));
+	for (int t = 0; t < block->template_count; ++t)
 		if (block->spare_of[t] >= 0)
 			TRY(fill_spare(block, block->templates + t, block->spare_of[t]));
+	count_items(block);
 	Counters* c = &p->counters;
-	bool joints = false;
-	for (int t = 0; t < templates; ++t)
-		joints |= block->spare_of[t] >= 0 && block->templates[t].joints > 0;
 	c->contacts = block->worlds << p->bays.contact_bits;
-	c->joints = joints ? block->worlds << p->bays.joint_bits : 0;
-	c->joints_dirty = joints || p->excluded > 0 ? INT32_MAX : 0;
-	c->joint_moved = joints;
+	c->joints = p->bay_joints ? block->worlds << p->bays.joint_bits : 0;
+	c->joints_dirty = p->bay_joints || p->excluded > 0 ? INT32_MAX : 0;
+	c->joint_moved = p->bay_joints;
 	p->dirty = c->joints_dirty > 0;
 	return b->f->write(b, POOL_counters, 0, 1, c);
 }

@@ -4,7 +4,11 @@
 #define BLOCK_POOLS_H
 #include "batch/block_state.h"
 
-// templates: number of templates of the batch. Pipeline.bays is set; the counters on the host are those to begin with.
-scree_status block_fill(Block* block, int templates);
+// Fills the pools. Pipeline.bays is set; the counters on the host are those to begin with.
+scree_status block_fill(Block* block);
+
+// Sets the number of live bays, after worlds moved to other bays, and what depends on the templates of these bays: lists of
+// kinematic bodies and of pairs that never touch, chains.
+scree_status block_count(Block* block, int live);
 
 #endif

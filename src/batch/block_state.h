@@ -4,20 +4,48 @@
 #define BLOCK_STATE_H
 #include "batch/channel_set.h"
 
+// Bits of Block.plan: the world is paused afterwards; it is put back to its template, and runs.
+#define PLAN_PAUSE 1
+#define PLAN_RESET 2
+
+typedef struct // values that a paused world needs when it runs again
+{
+	float h;                             // s: substep of its last step
+	bool dirty, surfaces, presses, taut; // Pipeline.dirty, surfaces_changed, counters.presses, taut when it was paused
+} Paused;
+
 typedef struct
 {
 	Backend* backend;
 	Pipeline pipeline;
 	StepRequest request;
-	int first, worlds; // range of worlds of the batch
+	int first, worlds; // range of worlds of the batch; the row of a world is its number in this range
 	int* kinematics;   // indices of the kinematic bodies, if they are few; for `request`
 	const Template* templates;
-	const int* template_of; // for each world of the batch: index of its template
-	int* spare_of;          // for each template: its spare bay, -1 if no world of the block has it
-	Int2* copies;           // room for one copy per world
+	int template_count;
+	const int* template_of;        // for each world of the batch: index of its template
+	int* spare_of;                 // for each template: its spare bay, -1 if no world of the block has it
+	int empty;                     // spare bay of a world without items
+	Int2* copies;                  // room for one copy per world
+	int* rows;                     // row of the world of each copy
+	int* bay_of;                   // by row: bay of the world; below `worlds` for a world that runs, else spare
+	int* row_of;                   // by bay, below `worlds`: row of its world, -1 for none
+	Paused* paused;                // by row
+	uint8_t* plan;                 // by row: bits of PLAN_*, for block_arrange
+	int* unused;                   // spare bays for paused worlds that contain none
+	int unused_count, paused_most; // number of these; number of spare bays for paused worlds
+	int crowded,
+	    first_crowded;      // worlds paused in the last call of block_step since they were crowded: number, first row
 	const ChannelSet* sets; // lists of channels of the batch, CHANNEL_LISTS of them; null before any was bound
 	ChannelList lists[CHANNEL_LISTS];
-	float* rows; // room for rows of a list that are converted or gathered
+	float* converted; // room for rows of a list that are converted or gathered
 } Block;
+
+static inline const Template* block_template(const Block* block, int row)
+{
+	return block->templates + block->template_of[block->first + row];
+}
+
+static inline bool block_runs(const Block* block, int row) { return block->bay_of[row] < block->worlds; }
 
 #endif

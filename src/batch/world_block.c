@@ -2,9 +2,11 @@
 // world_block.c -- steps the worlds of a batch that share pools: all of them on a GPU, some of them for a worker of a CPU.
 #include "batch/world_block.h"
 #include "batch/block_channels.h"
+#include "batch/block_places.h"
 #include "batch/block_pools.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
+#include "step/constants.h"
 #include <string.h>
 
 static int larger(int a, int b) { return a > b ? a : b; }
@@ -34,35 +36,19 @@ static void add_flags(Pipeline* p, const Pipeline* from)
 	p->continuous_reach = from->continuous_reach > p->continuous_reach ? from->continuous_reach : p->continuous_reach;
 }
 
-static scree_status add_kinematics(Block* block)
-{
-	int count = 0;
-	for (int k = 0; k < block->worlds; ++k)
-		count += block->templates[block->template_of[block->first + k]].request.kinematic;
-	block->request.kinematic = count;
-	block->kinematics = scree_allocate(sizeof(int) * (size_t)(KINEMATIC_FEW + 1));
-	if (!block->kinematics)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for a batch");
-	block->request.kinematics = block->kinematics;
-	for (int k = 0, n = 0; k < block->worlds && count <= KINEMATIC_FEW; ++k)
-	{
-		const Template* from = block->templates + block->template_of[block->first + k];
-		for (int i = 0; i < from->request.kinematic; ++i)
-			block->kinematics[n++] = k * block->pipeline.bays.bodies + from->kinematics[i];
-	}
-	return SCREE_OK;
-}
-
 scree_status block_open(Block* block, Backend* backend, const Template* templates, int count, const int* template_of,
-                        int first, int worlds)
+                        int first, int worlds, int contact_limit)
 {
 	*block = (Block){
 	    .backend = backend, .templates = templates, .template_of = template_of, .first = first, .worlds = worlds};
+	block->template_count = count;
 	block->spare_of = scree_allocate(sizeof(int) * (size_t)count);
-	block->copies = scree_allocate(sizeof(Int2) * (size_t)worlds);
-	if (!block->spare_of || !block->copies)
+	block->kinematics = scree_allocate(sizeof(int) * (size_t)(KINEMATIC_FEW + 1));
+	if (!block->spare_of || !block->kinematics)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for a batch");
-	BaySizes sizes = {.worlds = worlds, .bodies = 1, .collidables = 1, .contacts = 1, .joints = 1};
+	TRY(block_places_open(block));
+	BaySizes sizes = {
+	    .worlds = worlds, .bodies = 1, .collidables = 1, .contacts = 1, .joints = 1, .contact_limit = contact_limit};
 	memset(block->spare_of, -1, sizeof(int) * (size_t)count);
 	for (int k = 0; k < worlds; ++k)
 	{
@@ -84,15 +70,15 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		if (block->spare_of[t] < 0)
 			continue;
 		add_flags(p, &templates[t].pipeline);
+		p->bay_joints |= templates[t].joints > 0;
 		block->request.details |= templates[t].request.details;
 		block->request.reports |= templates[t].request.reports;
 	}
+	block->empty = worlds + sizes.spares++;
 	TRY(bays_open(p, &sizes));
-	block->request.bodies = worlds * sizes.bodies;
-	block->request.collidables = worlds * sizes.collidables;
 	block->request.contact_limit = 0;
-	TRY(add_kinematics(block));
-	TRY(block_fill(block, count));
+	block->request.kinematics = block->kinematics;
+	TRY(block_fill(block));
 	return block_reset(block, NULL);
 }
 
@@ -103,35 +89,73 @@ void block_close(Block* block)
 		block->backend->f->close(block->backend);
 	scree_release(block->kinematics);
 	scree_release(block->spare_of);
-	scree_release(block->copies);
-	scree_release(block->rows);
+	block_places_close(block);
+	scree_release(block->converted);
 	*block = (Block){.first = 0};
 }
 
 scree_status block_reset(Block* block, const uint8_t* mask)
 {
-	int count = 0;
+	for (int k = 0; k < block->worlds; ++k)
+		block->plan[k] = !mask || mask[block->first + k] ? PLAN_RESET : block_runs(block, k) ? 0 : PLAN_PAUSE;
+	TRY(block_arrange(block));
+	return block_apply_reset(block);
+}
+
+scree_status block_pause(Block* block, const uint8_t* mask)
+{
+	for (int k = 0; k < block->worlds; ++k)
+		block->plan[k] = mask && mask[block->first + k] ? PLAN_PAUSE : 0;
+	return block_arrange(block);
+}
+
+// Pauses the worlds whose contacts were too many for a step, which was abandoned.
+static scree_status pause_crowded(Block* block)
+{
+	Backend* b = block->backend;
+	int live = block->pipeline.live_bays, found = 0;
+	BayState* states = scree_allocate(sizeof *states * (size_t)live);
+	if (!states)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to find the crowded ones of %d worlds", live);
+	scree_status status = b->f->read(b, POOL_bay_state, 0, live, states);
 	for (int k = 0; k < block->worlds; ++k)
 	{
-		int t = block->template_of[block->first + k];
-		if (mask && !mask[block->first + k])
-			continue;
-		block->copies[count++] = make_int2(block->spare_of[t], k);
-		// joints of the template that have not begun, or that have broken since, change the pairs that never touch
-		const Pipeline* from = &block->templates[t].pipeline;
-		block->pipeline.dirty |= from->dirty || from->can_break;
-		block->pipeline.surfaces_changed |= from->surfaces_changed;
-		block->pipeline.taut |= from->taut;
-		block->pipeline.counters.presses |= from->counters.presses; // Step.presses, in the next step
+		bool runs = block_runs(block, k), crowded = runs && states[block->bay_of[k]].crowded > 0;
+		block->plan[k] = !runs || crowded ? PLAN_PAUSE : 0;
+		if (crowded && block->crowded + found++ == 0)
+			block->first_crowded = k;
 	}
-	TRY(bays_copy(&block->pipeline, block->copies, count));
-	return block_apply_reset(block, count);
+	scree_release(states);
+	TRY(status);
+	ASSERT(found > 0);
+	block->crowded += found;
+	return block_arrange(block);
+}
+
+// first: true for the first step of a call, in which targets of the inputs act.
+static scree_status step_once(Block* block, bool first)
+{
+	Pipeline* p = &block->pipeline;
+	int presses = p->counters.presses;
+	while (p->live_bays > 0)
+	{
+		block_aim(block, first);
+		scree_status status = pipeline_step(p, &block->request);
+		if (status == SCREE_OK || !p->crowded)
+			return status;
+		p->counters.presses = presses; // an abandoned step has not counted them
+		TRY(pause_crowded(block));
+	}
+	if (block->request.dt > 0.0f)
+		p->step = step_constants(p, &block->request); // the next step compares its substeps with those of this one
+	return SCREE_OK;
 }
 
 scree_status block_step(Block* block, float dt, int substeps, int steps)
 {
 	block->request.dt = dt;
 	block->request.substeps = substeps;
+	block->crowded = 0;
 	if (steps == 0)
 		return SCREE_OK;
 	TRY(block_apply_inputs(block));
@@ -139,7 +163,7 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 	{
 		if (k > 0)
 			TRY(block_apply_again(block));
-		TRY(pipeline_step(&block->pipeline, &block->request));
+		TRY(step_once(block, k == 0));
 	}
 	return block_write_outputs(block);
 }
@@ -150,4 +174,9 @@ scree_status block_hash(Block* block, uint64_t* hashes)
 	for (int k = block->first; k < block->first + block->worlds; ++k)
 		hashes[k] += block->templates[block->template_of[k]].hidden;
 	return SCREE_OK;
+}
+
+scree_status block_counters(Block* block, BayCounters* counters)
+{
+	return bays_counters(&block->pipeline, counters + block->first);
 }

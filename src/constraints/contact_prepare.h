@@ -6,10 +6,24 @@
 #include "constraints/rolling.h"
 #include "pools/bays.h"
 
-INLINE void prepare_depth(const Pools* p, Real separation)
+// Raises the deepest overlap of the world of each contact, in a batch.
+INLINE void prepare_bay_depth(const Pools* p, Int slot, Real separation)
+{
+	GLOBAL int* depth = &p->bay_state->penetration;
+	Int at = (slot >> p->step.bays.contact_bits) * BAY_WORDS;
+	Word deeper = lane_bits(separation < -gather((const GLOBAL float*)depth, at));
+	for (int k = 0; deeper >> k != 0; ++k)
+		if (deeper >> k & 1)
+			atomic_max_int(depth + lane(at, k), float_bits(-lane(separation, k)));
+}
+
+// Raises Counters.penetration, which the user can read: m, deepest overlap. slot: 0 for padding, which overlaps nothing.
+INLINE void prepare_depth(const Pools* p, Int slot, Real separation)
 {
 	Word deeper = lane_bits(separation < splat(-bits_float(read_shared(&p->counters->penetration))));
 	raise_lanes(&p->counters->penetration, -separation, deeper);
+	if (BATCHED(p))
+		prepare_bay_depth(p, slot, separation);
 }
 
 // Tests whether the overlap of a contact with the second collidable of its pair exceeds PRESS_START (static) or
@@ -68,7 +82,7 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 		points.anchor[k] = vec_blend(zero, points.anchor[k], there);
 		points.separation[k] = blend(splat(NO_POINT), points.separation[k], there);
 	}
-	prepare_depth(p, minimum(points.separation[0], points.separation[1]));
+	prepare_depth(p, slot, minimum(points.separation[0], points.separation[1]));
 	prepare_press(p, i, minimum(points.separation[0], points.separation[1]));
 	return points;
 }

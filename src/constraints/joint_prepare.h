@@ -105,9 +105,24 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
+// Raises the widest gap of the world of each joint, in a batch. square: m^2, the squares of gaps.
+INLINE void joint_bay_gap(const Pools* p, Int slot, Real square)
+{
+	GLOBAL int* widest = &p->bay_state->joint_gap;
+	Int at = (slot >> p->step.bays.joint_bits) * BAY_WORDS;
+	Real most = gather((const GLOBAL float*)widest, at);
+	Word wider = lane_bits((square > most * most) & (square <= splat(MOST_FLOAT)));
+	if (!wider)
+		return;
+	Real gap = root(square);
+	for (int k = 0; wider >> k != 0; ++k)
+		if (wider >> k & 1)
+			atomic_max_int(widest + lane(at, k), float_bits(lane(gap, k)));
+}
+
 // Raises Counters.joint_gap, which the user can read: m, largest error of rigid locks of translations. Couplings do not
-// count. gap: m, vector between the anchors.
-INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
+// count. gap: m, vector between the anchors. slot: 0 for padding, which has no gap.
+INLINE void joint_count_gap(const Pools* p, Int slot, const Joint* u, Vec gap)
 {
 	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));
 	Real off[2];
@@ -124,6 +139,8 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 	Word wider = lane_bits((square > most * most) & (square <= splat(MOST_FLOAT)));
 	if (wider)
 		raise_lanes(&p->counters->joint_gap, root(square), wider);
+	if (BATCHED(p))
+		joint_bay_gap(p, slot, square);
 }
 
 // Sets Counters.press[1] if the anchors of a joint are more than PRESS_GAP apart and one of its bodies cannot move.
@@ -183,7 +200,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->arm_b_y = b.arm.y;
 	u->gap_x = gap.x;
 	u->gap_y = gap.y;
-	joint_count_gap(p, u, gap);
+	joint_count_gap(p, slot, u, gap);
 	joint_press(p, i, u, there, gap);
 
 	u->turned = joint_turned(&a, &b, load(&joint_row(p, turned, i), 0));

@@ -20,7 +20,8 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 	// commands may change masses, so tiles may be wrong; after a new order of the leaves, new tiles are faster
 	for (int i = 0; i < count; ++i)
 	{
-		d->tiles.stale |= runs[i].kernel_id == KERNEL_command || runs[i].kernel_id == KERNEL_tree_order;
+		d->tiles.stale |= runs[i].kernel_id == KERNEL_command || runs[i].kernel_id == KERNEL_tree_order ||
+		                  runs[i].kernel_id == KERNEL_bay_count;
 		d->tiles.pushed |= runs[i].kernel_id == KERNEL_field_body;
 	}
 	for (int i = 0; i < count;)

@@ -62,4 +62,12 @@ INLINE GLOBAL BayState* bay_of_joint(const Pools* p, int slot)
 	return p->bay_state + (slot >> p->step.bays.joint_bits);
 }
 
+// Bits of the argument of bay_count: worlds may have joints; joints got other spots; excluded pairs changed.
+#define BAY_COUNT_JOINTS   1
+#define BAY_COUNT_SPOTS    2
+#define BAY_COUNT_EXCLUDED 4
+
+// Number of words of a BayState, the distance between equal members of adjacent bays.
+#define BAY_WORDS ((int)(sizeof(BayState) / sizeof(int)))
+
 #endif

@@ -56,11 +56,11 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int dead;       // number of free contact slots found
 	int created;    // number of new contacts
 	int needed;     // number of contact slots that the step needs
-	int crowded;    // number of contact slots that each bay of a batch needs, if one has too few; else 0
-	int stalled;    // 1 if the contact limit or a capacity is exceeded; after the latter, the host enlarges the pools
-	int live;       // number of contact slots that the narrow phase processes; 0 if `stalled` is 1
-	int look;       // same as `live` if some contact has CONTACT_LOOK, else 0
-	int shifted;    // INT_MAX if a static or kinematic collidable began to move, else 0
+	int crowded; // number of contacts of a world of a batch, if they are more than its bay or its limit allows; else 0
+	int stalled; // 1 if the contact limit or a capacity is exceeded; after the latter, the host enlarges the pools
+	int live;    // number of contact slots that the narrow phase processes; 0 if `stalled` is 1
+	int look;    // same as `live` if some contact has CONTACT_LOOK, else 0
+	int shifted; // INT_MAX if a static or kinematic collidable began to move, else 0
 	int search_all; // 1 if the search for islands visits all bodies and constraints, 0 if it visits the active groups
 	int search_bodies, search_contacts; // numbers of bodies and of contacts that the search visits
 	int kept_bodies;                    // number of bodies to visit while `kept` is not 0, else 0

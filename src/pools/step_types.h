@@ -67,7 +67,7 @@ typedef struct // places of a save in the pool saved, in words from item `first`
 
 typedef struct // bays of the worlds of a batch (bays.h); zeros outside of a batch
 {
-	int worlds;                       // number of worlds; their bays come first, and only these are stepped
+	int worlds;                       // number of worlds; the first bays are for them, and spare bays follow
 	int bodies, collidables;          // numbers of items of a bay
 	int contact_bits, joint_bits;     // binary logarithms of these numbers for contacts and joints
 	float body_part, collidable_part; // 1 divided by the number of items of a bay
@@ -82,13 +82,21 @@ typedef struct // 32 bytes: numbers of items of a world of a batch
 	int unused[3];
 } Bay;
 
-typedef struct // 32 bytes: values of a world of a batch that the counters have in a world alone
+typedef struct // 48 bytes: values of a world of a batch that the counters have in a world alone
 {
 	int press[2], ways, presses; // Counters.press, ways, presses
 	int taut;                    // Counters.taut
 	int taut_seen, taut_used;    // its value at the start of the step, and of the step before, which the solve uses
 	int joints_dirty;            // 1 if contacts may have to restart because joints changed; only in spare bays
+	int penetration, joint_gap, nonfinite; // Counters.penetration, joint_gap, nonfinite
+	int crowded; // number of contacts that the world needs, if the step was abandoned because they are too many; else 0
 } BayState;
+
+typedef struct // 24 bytes: counters of a world of a batch, for the user
+{
+	int crowded, nonfinite, contacts, touching;
+	float penetration, joint_gap; // m
+} BayCounters;
 
 typedef struct // constants of one step, passed by value to every kernel; a comment "some ..." is the condition for 1
 {

@@ -50,6 +50,34 @@ static scree_status reserve(Pipeline* pipeline, Per per, int64_t end)
 // Returns the end of the items of all bays of a kind.
 static int64_t bays_end(int worlds, int spares, int size) { return bay_spare(worlds, size) + (int64_t)spares * size; }
 
+// Reserves memory for all bays. Makes new slots of contacts and joints free.
+static scree_status reserve_bays(Pipeline* pipeline, int spares)
+{
+	Backend* b = pipeline->backend;
+	const Bays* bays = &pipeline->bays;
+	bool first = pipeline->spare_bays == 0;
+	int contacts = first ? 0 : b->capacity[PER_CONTACT], joints = first ? 0 : b->capacity[PER_JOINT];
+	TRY(reserve(pipeline, PER_BODY, bays_end(bays->worlds, spares, bays->bodies)));
+	TRY(reserve(pipeline, PER_COLLIDABLE, bays_end(bays->worlds, spares, bays->collidables)));
+	TRY(reserve(pipeline, PER_CONTACT, bays_end(bays->worlds, spares, 1 << bays->contact_bits)));
+	TRY(reserve(pipeline, PER_JOINT, bays_end(bays->worlds, spares, 1 << bays->joint_bits)));
+	TRY(pipeline_reserve(pipeline, PER_BAY, bays->worlds + spares));
+	Step step = step_between(pipeline);
+	TRY(run_one(pipeline, &step, KERNEL_bay_clear_contact, contacts, b->capacity[PER_CONTACT], 0));
+	TRY(run_one(pipeline, &step, KERNEL_bay_clear_joint, joints, b->capacity[PER_JOINT], 0));
+	pipeline->spare_bays = spares;
+	return SCREE_OK;
+}
+
+// Returns the contact limit of a world, so that bays of all worlds can have that many slots.
+static int limit_of(const Bays* bays, int limit)
+{
+	int most = MOST_BAY_ITEMS;
+	while (most > 1 << bays->contact_bits && (int64_t)most * bays->worlds > MAX_CONTACTS / 2)
+		most /= 2;
+	return limit > 0 && limit < most ? limit : most;
+}
+
 scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
 {
 	Backend* b = pipeline->backend;
@@ -58,22 +86,16 @@ scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
 	bays.joint_bits = bits_of(sizes->joints);
 	bays.body_part = 1.0f / (float)bays.bodies;
 	bays.collidable_part = 1.0f / (float)bays.collidables;
-	int64_t worlds = sizes->worlds, spares = sizes->spares, all = worlds + spares;
+	int64_t all = (int64_t)sizes->worlds + sizes->spares;
 	if (all * bays.bodies > MAX_ITEMS / 2 || all * bays.collidables > MAX_ITEMS / 2 ||
 	    all << bays.contact_bits > MAX_CONTACTS / 2 || all << bays.joint_bits > MAX_ITEMS / 2)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY,
 		            "%d worlds of %d bodies, %d collidables and %d contacts have too many items", sizes->worlds,
 		            sizes->bodies, sizes->collidables, sizes->contacts);
 	pipeline->bays = bays;
-	pipeline->spare_bays = sizes->spares;
-	TRY(reserve(pipeline, PER_BODY, bays_end(bays.worlds, sizes->spares, bays.bodies)));
-	TRY(reserve(pipeline, PER_COLLIDABLE, bays_end(bays.worlds, sizes->spares, bays.collidables)));
-	TRY(reserve(pipeline, PER_CONTACT, bays_end(bays.worlds, sizes->spares, 1 << bays.contact_bits)));
-	TRY(reserve(pipeline, PER_JOINT, bays_end(bays.worlds, sizes->spares, 1 << bays.joint_bits)));
-	TRY(pipeline_reserve(pipeline, PER_BAY, (int)all));
-	Step step = step_between(pipeline);
-	TRY(run_one(pipeline, &step, KERNEL_bay_clear_contact, 0, b->capacity[PER_CONTACT], 0));
-	TRY(run_one(pipeline, &step, KERNEL_bay_clear_joint, 0, b->capacity[PER_JOINT], 0));
+	pipeline->live_bays = sizes->worlds;
+	pipeline->bay_limit = limit_of(&bays, sizes->contact_limit);
+	TRY(reserve_bays(pipeline, sizes->spares));
 
 	// leaf i of tree 0, the only one, is that of collidable i
 	int leaves = bays.worlds * bays.collidables;
@@ -89,14 +111,40 @@ scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
 	return status;
 }
 
-scree_status bays_copy(Pipeline* pipeline, const Int2* copies, int count)
+scree_status bays_spare(Pipeline* pipeline, int spares)
+{
+	return spares > pipeline->spare_bays ? reserve_bays(pipeline, spares) : SCREE_OK;
+}
+
+// Sets the numbers of slots in use, on the host and on the device. edits: bits of BAY_COUNT_*.
+static scree_status count(Pipeline* pipeline, const Step* step, int edits)
+{
+	const Bays* bays = &pipeline->bays;
+	int live = pipeline->live_bays;
+	pipeline->counters.contacts = live << bays->contact_bits;
+	pipeline->counters.joints = pipeline->bay_joints ? live << bays->joint_bits : 0;
+	return run_one(pipeline, step, KERNEL_bay_count, 0, 1,
+	               RUN_PAIR(edits | (pipeline->bay_joints ? BAY_COUNT_JOINTS : 0), live));
+}
+
+scree_status bays_live(Pipeline* pipeline, int live, int edits)
+{
+	pipeline->live_bays = live;
+	pipeline->trees[0].tree.leaves = live * pipeline->bays.collidables;
+	tree_touch(pipeline, 0);
+	Step step = step_between(pipeline);
+	return count(pipeline, &step, edits);
+}
+
+scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, int count)
 {
 	Backend* b = pipeline->backend;
 	const Bays* bays = &pipeline->bays;
 	const KindLayout* layout = pipeline->counters.layout;
 	if (count == 0)
 		return SCREE_OK;
-	int most = pipeline->placed + (count << bays->contact_bits);
+	int bits_most = bays->contact_bits > bays->joint_bits ? bays->contact_bits : bays->joint_bits;
+	int most = pipeline->placed + (count << bits_most);
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
 		int bits = kind == CONSTRAINT_CONTACT ? bays->contact_bits : bays->joint_bits;
@@ -105,11 +153,12 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, int count)
 	}
 	pipeline->placed = most;
 	TRY(b->f->write(b, POOL_bay_copy, 0, count, copies));
+	TRY(b->f->write(b, POOL_bay_row, 0, count, rows));
 	Step step = step_between(pipeline);
 	TRY(run_one(pipeline, &step, KERNEL_bay_copy_body, 0, count * bays->bodies, 0));
 	TRY(run_one(pipeline, &step, KERNEL_bay_copy_collidable, 0, count * bays->collidables, 0));
 	TRY(run_one(pipeline, &step, KERNEL_bay_copy_contact, 0, count << bays->contact_bits, 0));
-	if (pipeline->counters.joints > 0)
+	if (pipeline->bay_joints)
 		TRY(run_one(pipeline, &step, KERNEL_bay_copy_joint, 0, count << bays->joint_bits, 0));
 	pipeline->split = false;
 	pipeline->edited = true;
@@ -124,12 +173,6 @@ scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts)
 	Bays *bays = &pipeline->bays, before = *bays;
 	int spares = pipeline->spare_bays;
 	bays->contact_bits = bits_of(contacts);
-	if (contacts > MOST_BAY_ITEMS || ((int64_t)(bays->worlds + spares) << bays->contact_bits) > MAX_CONTACTS / 2)
-	{
-		*bays = before;
-		return fail(SCREE_ERROR_CONTACT_LIMIT, "a world of a batch has %d contacts, more than %d", contacts,
-		            MOST_BAY_ITEMS);
-	}
 	int old = b->capacity[PER_CONTACT], all = bays->worlds + spares;
 	scree_status status = reserve(pipeline, PER_CONTACT, bays_end(bays->worlds, spares, 1 << bays->contact_bits));
 	Int2* moves = status == SCREE_OK ? scree_allocate(sizeof *moves * (size_t)all) : NULL;
@@ -159,10 +202,9 @@ scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts)
 	scree_release(moves);
 	TRY(status);
 	step->pair_capacity = b->capacity[PER_KEY];
-	step->contact_capacity = b->capacity[PER_CONTACT];
+	step->contact_capacity = bays_contacts(pipeline);
 	step_places(step, b);
-	pipeline->counters.contacts = bays->worlds << bays->contact_bits;
-	return run_one(pipeline, step, KERNEL_bay_moved_contacts, 0, 1, pipeline->counters.contacts);
+	return count(pipeline, step, 0);
 }
 
 scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes)
@@ -171,4 +213,12 @@ scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes)
 	Step step = step_between(pipeline);
 	TRY(run_one(pipeline, &step, KERNEL_bay_hash, 0, pipeline->bays.worlds, 0));
 	return b->f->read(b, POOL_bay_hash, 0, pipeline->bays.worlds, hashes);
+}
+
+scree_status bays_counters(Pipeline* pipeline, BayCounters* counters)
+{
+	Backend* b = pipeline->backend;
+	Step step = step_between(pipeline);
+	TRY(run_one(pipeline, &step, KERNEL_bay_counters, 0, pipeline->bays.worlds, 0));
+	return b->f->read(b, POOL_bay_counters, 0, pipeline->bays.worlds, counters);
 }

@@ -8,16 +8,25 @@
 
 typedef struct // numbers of bays, and of the items of each
 {
-	int worlds, spares; // bays that are stepped; other bays, numbered after them
+	int worlds, spares; // bays for worlds, all of them live at first; bays that are never stepped, numbered after them
 	int bodies, collidables, contacts, joints;
+	int contact_limit; // maximum number of contacts of a world, 0 for the default
 } BaySizes;
 
 // Sets Pipeline.bays, and reserves memory. All slots of contacts and joints are free, all other items are zero. The
 // pipeline is open, and has made no step.
 scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes);
 
-// Copies worlds: for each copy, from bay x to bay y. No bay may occur in `copies` as y and a second time.
-scree_status bays_copy(Pipeline* pipeline, const Int2* copies, int count);
+// Makes room for at least this number of spare bays. Between two steps.
+scree_status bays_spare(Pipeline* pipeline, int spares);
+
+// Copies worlds: for each copy, from bay x to bay y. rows: row of the world of each copy, -1 for none. No bay may occur in
+// `copies` as y and a second time.
+scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, int count);
+
+// Sets the number of live bays, between two steps. Bays that are no longer live contain no world. edits: BAY_COUNT_SPOTS,
+// BAY_COUNT_EXCLUDED.
+scree_status bays_live(Pipeline* pipeline, int live, int edits);
 
 // Gives each bay at least `contacts` contact slots, in the middle of a step. Sets the members of *step that depend on it.
 scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts);
@@ -25,7 +34,10 @@ scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts);
 // Executes a kernel over items `begin` to `end` - 1 between steps.
 scree_status bays_run(Pipeline* pipeline, int kernel, int begin, int end, int argument);
 
-// Computes the hash of each live bay, without the data that only the host has.
+// Computes the hash of each world, by row, without the data that only the host has.
 scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes);
+
+// Computes the counters of each world, by row.
+scree_status bays_counters(Pipeline* pipeline, BayCounters* counters);
 
 #endif

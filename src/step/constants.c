@@ -66,6 +66,8 @@ void step_bays(Step* step, const Bays* bays)
 	step->traversal_nodes = INT_MAX; // a traversal within a world is short
 }
 
+int bays_contacts(const Pipeline* pipeline) { return (pipeline->live_bays << pipeline->bays.contact_bits) + 1; }
+
 Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 {
 	const scree_tuning* tuning = &request->tuning;
@@ -143,6 +145,8 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .key_bits = index_bits(collidables),
 	};
 	step_bays(&step, &pipeline->bays);
+	if (pipeline->bays.worlds)
+		step.contact_capacity = bays_contacts(pipeline);
 	step_places(&step, b);
 	return step;
 }

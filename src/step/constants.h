@@ -9,6 +9,9 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request);
 // Sets the members that depend on the bays of a batch; zeros: there is none.
 void step_bays(Step* step, const Bays* bays);
 
+// Returns the number of contact slots of all live bays, and one more, which scans need.
+int bays_contacts(const Pipeline* pipeline);
+
 // Sets Step.place_capacity, the capacity for each kind of constraint. Must be called again after a pool has grown.
 void step_places(Step* step, const Backend* b);
 

@@ -82,8 +82,9 @@ static scree_status grow(Pipeline* pipeline, Step* step)
 	if (c->over_limit)
 		return contact_limit_fail(pipeline, step);
 #ifndef SCREE_SMALL
+	pipeline->crowded = c->crowded > pipeline->bay_limit;
 	if (c->crowded)
-		return bays_grow(pipeline, step, c->crowded);
+		return pipeline->crowded ? SCREE_ERROR_CONTACT_LIMIT : bays_grow(pipeline, step, c->crowded);
 #endif
 	TRY(c->pairs > step->pair_capacity ? pipeline_reserve(pipeline, PER_KEY, c->pairs)
 	                                   : pipeline_reserve(pipeline, PER_CONTACT, c->needed + 1));
@@ -166,6 +167,7 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 		list_narrow_phase(pipeline, step, bodies);
 		list_sleep(pipeline, step, request);
 		list_color(pipeline, bodies, 0, rounds, greedy);
+		list_bays(pipeline);
 		TRY(solve_or_read_back(pipeline, step, request, early, &solved));
 		if (!c->stalled)
 			break;
@@ -258,13 +260,15 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 		return skip(pipeline, request);
 	float before = pipeline->step.dt; // length of the last step with dt above 0
 	pipeline->started = false;
+	pipeline->crowded = false;
 	pipeline->rested = false;
 	pipeline->trees[0].seen = false;
 	TRY(prepare(pipeline, request));
 	Step step = step_constants(pipeline, request);
 	scree_status status = run_stages(pipeline, &step, request);
 	if (status && status != SCREE_ERROR_DEVICE_FAILED && !pipeline->started &&
-	    apply_commands(pipeline, &step, &request->commands, request->commands.undo) == SCREE_ERROR_DEVICE_FAILED)
+	    (apply_commands(pipeline, &step, &request->commands, request->commands.undo) == SCREE_ERROR_DEVICE_FAILED ||
+	     apply_targets(pipeline, &step, request, CHANNEL_AIMS | CHANNEL_ARRIVES) == SCREE_ERROR_DEVICE_FAILED))
 		status = SCREE_ERROR_DEVICE_FAILED;
 	TRY(status);
 	if (request->timings)

@@ -124,13 +124,17 @@ typedef struct
 	bool split;                             // the parts of neighbors are computed for the current layout (hub_order)
 	int rounds;                             // number of coloring rounds that the last step needed
 	int64_t steps;
-	bool tells;                      // the user has requested the list of moved bodies
-	uint64_t named, named_bodies;    // Names.version of collidables and bodies on the device; 0: none
-	int grown;                       // number of times that a pool grew
-	Bays bays;                       // bays of a batch; zeros in an ordinary world
-	int spare_bays;                  // number of bays that are not stepped
-	int placed;                      // upper bound of Counters.placed
-	double milliseconds;             // wall-clock time of the last step, ms
+	bool tells;                   // the user has requested the list of moved bodies
+	uint64_t named, named_bodies; // Names.version of collidables and bodies on the device; 0: none
+	int grown;                    // number of times that a pool grew
+	Bays bays;                    // bays of a batch; zeros in an ordinary world
+	int live_bays;                // number of bays that are stepped: the first ones
+	int spare_bays;               // number of bays behind those for worlds, which are never stepped
+	int bay_limit;                // maximum number of contacts of a world of a batch
+	bool bay_joints;              // some world of a batch has joints
+	bool crowded;        // the last step was abandoned, because some worlds of a batch get more contacts than the limit
+	int placed;          // upper bound of Counters.placed
+	double milliseconds; // wall-clock time of the last step, ms
 	double stage_times[STAGE_COUNT]; // ms of each stage in the last step; zeros without timings
 	double query_milliseconds;       // ms of the last queries; 0 without timings
 	scree_traffic traffic;           // traffic of the last step

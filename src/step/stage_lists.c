@@ -155,10 +155,6 @@ scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
 	runs_add_single(list, KERNEL_step_begin);
-#ifndef SCREE_SMALL
-	if (step->bays.worlds && step->dt > 0.0f)
-		runs_add(list, KERNEL_bay_begin, 0, step->bays.worlds, NO_COUNT, 0);
-#endif
 	if (step->sleep && !pipeline->listed)
 		list_all_groups(pipeline, step, bodies);
 	runs_add(list, KERNEL_transform, 0, group_items(step->collidables), visits(step, GROUPS_OF_COLLIDABLES), 0);
@@ -207,7 +203,7 @@ static void list_free_slots(Pipeline* pipeline, const Step* step)
 #ifndef SCREE_SMALL
 	if (step->bays.worlds)
 	{
-		runs_add(list, KERNEL_contact_list_bay, 0, step->pair_capacity, COUNT(sort_pairs), 0);
+		runs_add(list, KERNEL_contact_list_bay, 0, step->pair_capacity, COUNT(sort_pairs), pipeline->bay_limit);
 		return;
 	}
 #endif
@@ -334,11 +330,20 @@ static int color_bits(const Pipeline* pipeline, int bodies)
 	return bits;
 }
 
-// Lists the runs that lay out constraints of a kind by color, if any began or ended. bits: number of bits of sort keys.
-static void lay_out(RunList* list, const Backend* b, int kind, int bits)
+// Returns an upper bound of the number of slots of a kind. In a batch it is their number, because the pools also contain
+// bays that are not stepped.
+static int slots_most(const Pipeline* pipeline, int kind)
 {
+	return pipeline->bays.worlds ? kind_items(&pipeline->counters, kind)
+	                             : pipeline->backend->capacity[kind_info[kind].items];
+}
+
+// Lists the runs that lay out constraints of a kind by color, if any began or ended. bits: number of bits of sort keys.
+static void lay_out(Pipeline* pipeline, int kind, int bits)
+{
+	RunList* list = &pipeline->list;
 	const KindInfo* info = &kind_info[kind];
-	int items = b->capacity[info->items], count = COUNT(arrange) + kind;
+	int items = slots_most(pipeline, kind), count = COUNT(arrange) + kind;
 	runs_add(list, info->key, 0, items, count, bits);
 	runs_add_sort(list, items, count, 32, 32 + bits);
 	runs_add(list, info->edge, 0, items, count, bits);
@@ -353,14 +358,15 @@ static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 {
 	RunList* list = &pipeline->list;
-	const Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
-	int edges = b->capacity[PER_EDGE], bits = color_bits(pipeline, bodies);
+	int edges = 0, bits = color_bits(pipeline, bodies);
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		edges += slots_most(pipeline, kind);
 	if (from == 0)
 	{
 		if (pairs_may_change(pipeline))
 			list_joint_constraints(list, c->joints);
-		runs_add(list, KERNEL_hub_enter, 0, b->capacity[PER_CONTACT], COUNT(gathered), 0);
+		runs_add(list, KERNEL_hub_enter, 0, slots_most(pipeline, CONSTRAINT_CONTACT), COUNT(gathered), 0);
 	}
 	for (int round = from; round < to; ++round)
 	{
@@ -382,12 +388,22 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 	runs_add(list, KERNEL_color_arrange, 0, 1, COUNT(changed), RUN_PAIR((to - 1) % MAX_ROUNDS + 1, bits));
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		if (kind == CONSTRAINT_CONTACT || kind_items(c, kind) > 0)
-			lay_out(list, b, kind, kind == CONSTRAINT_CONTACT ? bits : COLOR_BITS);
+			lay_out(pipeline, kind, kind == CONSTRAINT_CONTACT ? bits : COLOR_BITS);
 	// each layout may move the rows of joints
 	if (pipeline->paths || pipeline->couplings)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
 	if (pipeline->skips)
 		runs_add_single(list, KERNEL_solve_bound);
+}
+
+void list_bays(Pipeline* pipeline)
+{
+#ifndef SCREE_SMALL
+	if (pipeline->bays.worlds)
+		runs_add(&pipeline->list, KERNEL_bay_begin, 0, pipeline->live_bays, NO_COUNT, 0);
+#else
+	(void)pipeline;
+#endif
 }
 
 // Number of contacts by which a press spreads per step. With 1 instead of 2, a press of 1 m/s moves 5 capsules in a row

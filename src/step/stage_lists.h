@@ -28,6 +28,9 @@ void list_stale_nodes(RunList* list, const Tree* tree, int kernel);
 // boxes for queries. count: NO_COUNT, or a counter; if it is 0, the runs do nothing.
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count);
 
+// Lists the run that begins the step of the values of each world, in a batch.
+void list_bays(Pipeline* pipeline);
+
 // Lists the runs that find bodies pressed against bodies that cannot move. may_wait: true if the layout may be old.
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait);
 // Lists the runs that compute the forces of fields at the start of the step. bound: as for solve_start.

@@ -230,9 +230,10 @@ static bool bays_solve(const Solve* solve)
 	EmulatedKernel kernel = hinges ? EMULATED_bay_solve_hinges : EMULATED_bay_solve_joints;
 	task.stride = solve_constraints(solve);
 	task.stream = buffer(&solve_buffers, task.stride * stream_float4s, sizeof(Float4));
-	task.bays = least(bay_bodies / bays->bodies, bays->worlds);
-	note_most(&form_counts.bays, groups_of(bays->worlds, task.bays));
-	return launch(pools.step.joints ? kernel : EMULATED_bay_solve, groups_of(bays->worlds, task.bays), bay_group);
+	int live = solve->bodies / bays->bodies;
+	task.bays = least(bay_bodies / bays->bodies, live);
+	note_most(&form_counts.bays, groups_of(live, task.bays));
+	return launch(pools.step.joints ? kernel : EMULATED_bay_solve, groups_of(live, task.bays), bay_group);
 }
 
 // ---------------------------------------------------------------------------------------------------------------

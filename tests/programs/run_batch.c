@@ -4,8 +4,10 @@
 #include "programs/run_call.h"
 #include "step/pipeline_state.h"
 
-#define COPIES 3 // worlds of the batch; the second one is reset once
+#define COPIES 3 // worlds of the batch; the second one is reset once, the last one paused for some steps
 #define AGES   6 // steps that are compared
+#define PAUSE  1 // first step without the last copy
+#define RESUME 4 // first step with it again
 
 // Lets a clone of a world stay awake from its next step on.
 static scree_status stay_awake(scree_world* world)
@@ -23,7 +25,7 @@ static scree_status stay_awake(scree_world* world)
 // difference: the limits of contacts differ.
 static bool steps_alike(scree_world* alone, scree_batch* batch)
 {
-	static const uint8_t mask[COPIES] = {0, 1, 0};
+	static const uint8_t mask[COPIES] = {0, 1, 0}, pause[COPIES] = {0, 0, 1};
 	uint64_t hashes[COPIES], expected[AGES];
 	int ages[COPIES] = {0};
 	for (int step = 0; step < AGES; ++step)
@@ -36,11 +38,13 @@ static bool steps_alike(scree_world* alone, scree_batch* batch)
 				return false;
 		if (step == 2 && scree_batch_reset(batch, mask) == SCREE_OK)
 			ages[1] = 0;
+		if ((step == PAUSE || step == RESUME) && scree_batch_pause(batch, step == PAUSE ? pause : NULL) != SCREE_OK)
+			return false;
 		if (scree_world_step(alone, 1.0f / 60.0f, 4) != SCREE_OK ||
 		    scree_batch_step(batch, 1.0f / 60.0f, 4, 1) != SCREE_OK)
 			return true;
 		for (int k = 0; k < COPIES; ++k)
-			++ages[k];
+			ages[k] += k < COPIES - 1 || step < PAUSE || step >= RESUME;
 	}
 	return true;
 }

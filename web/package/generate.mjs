@@ -93,7 +93,7 @@ function result(f) {
 
 const described = functions.map((f) => ({...f, ...describe(f), kind: result(f)}));
 
-const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row|difference|record_def|replay_info|draw_def|collidable_state|surface|clock|tasks|batch_def)$/.test(s.name));
+const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row|difference|record_def|replay_info|draw_def|collidable_state|surface|clock|tasks|batch_def|batch_counters)$/.test(s.name));
 const sizes = {contact_size: "contact", hit_size: "hit", visit_size: "visit", joint_size: "joint_event", body_size: "moved_body"};
 function member(struct, m) {
 	let type = code(m.type);

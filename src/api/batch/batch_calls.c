@@ -2,6 +2,7 @@
 // batch_calls.c -- creates, steps, resets and hashes batches for the user.
 #include "api/batch/batch_check.h"
 #include "platform/processor.h"
+#include "step/bay_layout.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/record/api_calls.h"
@@ -43,6 +44,9 @@ static scree_status check_def(const char* function, const scree_batch_def* def)
 	TRY(check_pointer(function, "def.device", def->device));
 	if (strcmp(def->device, "auto") == 0)
 		return refuse(SCREE_ERROR_INVALID, at, ".device", "is \"auto\", which worlds of a batch cannot have yet");
+	if (def->contact_limit < 0 || def->contact_limit > MOST_BAY_ITEMS)
+		return refuse(SCREE_ERROR_INVALID, at, ".contact_limit", "is %d, must be from 0 to %d", def->contact_limit,
+		              MOST_BAY_ITEMS);
 	if (!(def->device_timeout >= 0.0f))
 		return refuse(SCREE_ERROR_INVALID, at, ".device_timeout", "is %s, must be from 0 to INFINITY",
 		              decimal(def->device_timeout).text);
@@ -101,6 +105,22 @@ static scree_status step_block(Block* block, const void* context)
 	return block_step(block, step->dt, step->substeps, step->steps);
 }
 
+// Logs the first world that was paused because of its contacts. Counters tell of the others.
+static void warn_crowded(scree_batch* batch, const char* function)
+{
+	for (int k = 0; k < batch->block_count && !batch->warned; ++k)
+	{
+		const Block* block = batch->blocks + k;
+		batch->warned = block->crowded > 0;
+		if (batch->warned)
+			log_sentence(
+			    SCREE_LOG_WARNING,
+			    "%s: world %d was paused, because it would have more than %d contacts; there is no warning for "
+			    "further worlds, but scree_batch_counters.crowded",
+			    function, block->first + block->first_crowded, block->pipeline.bay_limit);
+	}
+}
+
 scree_status api_batch_step(scree_batch* batch, float dt, int substeps, int steps)
 {
 	FLOAT_MODE_HERE;
@@ -113,7 +133,9 @@ scree_status api_batch_step(scree_batch* batch, float dt, int substeps, int step
 	if (steps > 0)
 		TRY(check_inputs(batch, function, CHANNELS_STEP, NULL));
 	StepWork work = {dt, substeps, steps};
-	return batch_note(batch, batch_each(batch, step_block, &work));
+	TRY(batch_note(batch, batch_each(batch, step_block, &work)));
+	warn_crowded(batch, function);
+	return SCREE_OK;
 }
 
 // Checks that templates with joints had their last step in substeps as long as those of the batch. Joints that were reset
@@ -163,6 +185,73 @@ scree_status api_batch_get_hashes(scree_batch* batch, uint64_t* hashes)
 	TRY(check_pointer(function, "hashes", hashes));
 	HashWork work = {hashes};
 	return batch_note(batch, batch_each(batch, hash_block, &work));
+}
+
+// Checks that worlds with joints which run again had their last step in substeps as long as those of the batch.
+static scree_status check_paused_lengths(const scree_batch* batch, const char* function, const uint8_t* mask)
+{
+	float now = batch->blocks[0].pipeline.step.h;
+	for (int k = 0; k < batch->block_count; ++k)
+	{
+		const Block* block = batch->blocks + k;
+		for (int row = 0; row < block->worlds; ++row)
+		{
+			float then = block->paused[row].h;
+			if (!block_runs(block, row) && !(mask && mask[block->first + row]) && then > 0.0f && then != now &&
+			    block_template(block, row)->joints > 0)
+				return fail(SCREE_ERROR_INVALID,
+				            "%s: world %d has joints, and had substeps of %s s before it was paused, but the last step "
+				            "had %s s",
+				            function, block->first + row, decimal(then).text, decimal(now).text);
+		}
+	}
+	return SCREE_OK;
+}
+
+static scree_status pause_block(Block* block, const void* context) { return block_pause(block, context); }
+
+scree_status api_batch_pause(scree_batch* batch, const uint8_t* mask)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_pause";
+	TRY(batch_check(batch, function));
+	TRY(check_paused_lengths(batch, function, mask));
+	return batch_note(batch, batch_each(batch, pause_block, mask));
+}
+
+typedef struct
+{
+	BayCounters* counters;
+} CountersWork;
+
+static scree_status read_counters(Block* block, const void* context)
+{
+	return block_counters(block, ((const CountersWork*)context)->counters);
+}
+
+scree_status api_batch_get_counters_sized(scree_batch* batch, scree_batch_counters* counters, size_t size)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_get_counters";
+	TRY(batch_check(batch, function));
+	TRY(check_pointer(function, "counters", counters));
+	BayCounters* rows = scree_allocate(sizeof *rows * (size_t)batch->worlds);
+	if (!rows)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d worlds", function, batch->worlds);
+	CountersWork work = {rows};
+	scree_status status = batch_note(batch, batch_each(batch, read_counters, &work));
+	for (int k = 0; k < batch->worlds && status == SCREE_OK; ++k)
+	{
+		scree_batch_counters now = {.crowded = rows[k].crowded,
+		                            .frozen_bodies = rows[k].nonfinite,
+		                            .contacts = rows[k].contacts,
+		                            .touching = rows[k].touching,
+		                            .penetration = rows[k].penetration,
+		                            .joint_gap = rows[k].joint_gap};
+		write_result((char*)counters + size * (size_t)k, size, &now, sizeof now);
+	}
+	scree_release(rows);
+	return status;
 }
 
 int scree_batch_get_worlds(const scree_batch* batch) { return batch ? batch->worlds : 0; }

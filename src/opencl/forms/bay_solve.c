@@ -47,12 +47,12 @@ scree_status bay_solve_reserve(OpenCl* d, const Solve* solve)
 	                       (size_t)solve_constraints(solve) * STREAM_FLOAT4S * sizeof(cl_float4) + 1);
 }
 
-// Returns the number of worlds of a work-group.
-static cl_int group_worlds(const OpenCl* d)
+// Returns the number of worlds of a work-group. live: number of worlds that are stepped.
+static cl_int group_worlds(const OpenCl* d, cl_int live)
 {
 	const Bays* bays = &d->constants.step.bays;
 	cl_int most = BAY_BODIES / bays->bodies, groups = GROUPS_A_UNIT * d->device.about.compute_units,
-	       share = (bays->worlds + groups - 1) / groups;
+	       share = (live + groups - 1) / groups;
 	return share < most ? share : most;
 }
 
@@ -61,12 +61,12 @@ scree_status bay_solve_run(OpenCl* d, const Solve* solve)
 	const Step* step = &d->constants.step;
 	Kernel* kernel = &d->bay_kernels[!step->joints ? BAY_COLORS : solve_hinges(d) ? BAY_HINGES : BAY_JOINTS];
 	cl_int stride = solve_constraints(solve), passes = schedule_passes(solve->substeps, solve->bounces);
-	cl_int bays = group_worlds(d);
+	cl_int live = solve->bodies / step->bays.bodies, bays = group_worlds(d, live);
 	const cl_int* values[] = {&stride, &bays, &solve->substeps, &passes, &solve->bound};
 	TRY(kernel_step(d, kernel));
 	TRY(CALL(d->failure, SetKernelArg, kernel->kernel, ARGUMENT_STEP + 1, sizeof(cl_mem), &d->relay.stream.buffer));
 	for (cl_uint k = 0; k < 5; ++k)
 		TRY(CALL(d->failure, SetKernelArg, kernel->kernel, ARGUMENT_STEP + 2 + k, sizeof(cl_int), values[k]));
-	size_t groups = ((size_t)step->bays.worlds + (size_t)bays - 1) / (size_t)bays;
+	size_t groups = ((size_t)live + (size_t)bays - 1) / (size_t)bays;
 	return launch(d, kernel->kernel, groups * kernel->group, kernel->group);
 }

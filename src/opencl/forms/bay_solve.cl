@@ -242,7 +242,7 @@ INLINE_MEET void bay_work(const Pools* p, const BayRange* r, LOCAL BayGroup* g)
 		Pools pools = {POOL_NAMES step, 0};                                                                       \
 		specialize(pools.step);                                                                                   \
 		BayRange r = {stream, stride, substeps, passes, (int)get_group_id(0) * bays, 0, 0, 0};                    \
-		r.end = min(r.world + bays, step.bays.worlds);                                                            \
+		r.end = min(r.world + bays, pools.counters->contacts >> step.bays.contact_bits);                          \
 		r.first = r.world * step.bays.bodies;                                                                     \
 		r.bodies = (r.end - r.world) * step.bays.bodies;                                                          \
 		if (bound < 0 || ((__global const int*)pools.counters)[bound] != 0)                                       \

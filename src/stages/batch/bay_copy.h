@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// bay_copy.h -- copies worlds of a batch from bay to bay: resets, saves and loads of worlds, without the host.
+// bay_copy.h -- copies worlds of a batch from bay to bay: resets and pauses of worlds, without the host.
 //
 // A bay that is stepped is live. The constraints of its contacts and joints have rows, at places that the layout by color
-// assigns. A bay that is not stepped is spare: its constraints have no places, their kept values are at their slots, and
+// assigns. A bay that is never stepped is spare: its constraints have no places, their kept values are at their slots, and
 // its items contain indices within the bay. A constraint that comes to a live bay gets a place behind those of the layout,
 // and the next step makes a new layout.
 #ifndef BAY_COPY_H
@@ -33,20 +33,37 @@ INLINE BayCopy bay_copy(const Pools* p, int n, int k, int size)
 	return c;
 }
 
+// Copies the values of the world of copy n. A world that leaves the live bays takes along that joints have changed; one
+// that enters them runs, so it is not crowded.
+INLINE void bay_copy_values(const Pools* p, int n, int live)
+{
+	Int2 copy = p->bay_copy[n];
+	BayState state = p->bay_state[copy.x];
+	Bay bay = p->bay[copy.x];
+	bay.world = p->bay_row[n];
+	if (live && state.joints_dirty)
+		raise_int(&p->counters->joints_dirty, 0x7fffffff);
+	if (live)
+		state.crowded = 0;
+	else if (p->counters->joints_dirty)
+		state.joints_dirty = 1;
+	p->bay_state[copy.y] = state;
+	p->bay[copy.y] = bay;
+	if (bay.world >= 0)
+		p->world_bay[bay.world] = copy.y;
+}
+
 // Item: a body of a copy.
 KERNEL(bay_copy_body)
 {
 	const Bays* bays = &p->step.bays;
 	int n = bay_of_body(p, i);
 	BayCopy c = bay_copy(p, n, i - n * bays->bodies, bays->bodies);
+	int hub = p->hub[c.to]; // entry of the list of hubs, not a value of the body
 	item_move(p, PER_BODY, c.to, c.from);
+	p->hub[c.to] = hub;
 	if (i == n * bays->bodies)
-	{
-		BayState state = p->bay_state[p->bay_copy[n].x];
-		p->bay_state[p->bay_copy[n].y] = state;
-		if (c.live && state.joints_dirty)
-			raise_int(&p->counters->joints_dirty, 0x7fffffff);
-	}
+		bay_copy_values(p, n, c.live);
 	if (p->continuous_body[c.to].first > 0)
 		p->continuous_body[c.to].first += c.collidable;
 	p->static_contact[c.to] += c.contact; // also of a body without such a contact; its value is compared with the pair
@@ -128,6 +145,7 @@ KERNEL(bay_copy_joint)
 	BayCopy c = bay_copy(p, i >> bays->joint_bits, i & (size - 1), size);
 	int spot = p->joint_spot[c.to], color_before = p->joint_color[c.to], place_before = p->joint_place[c.to];
 	int flags_before = p->joint_flags[c.to];
+	int a_before = p->joint_data[c.to].body_a, b_before = p->joint_data[c.to].body_b;
 	item_move(p, PER_JOINT, c.to, c.from);
 	Int2 bodies = p->joint_bodies[c.to];
 	p->joint_spot[c.to] = spot;
@@ -136,7 +154,8 @@ KERNEL(bay_copy_joint)
 	p->joint_data[c.to].body_b += c.body;
 	int flags = p->joint_flags[c.to], changed = c.live ? flags_before ^ flags : 0;
 	int begins = joint_wanted(flags) != (p->joint_color[c.to] != COLOR_NONE) || flags & (JOINT_NEW | JOINT_RESTARTS);
-	if (changed & (JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN)) // the pairs that joints keep apart
+	int others = c.live && (p->joint_data[c.to].body_a != a_before || p->joint_data[c.to].body_b != b_before);
+	if (changed & (JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN) || others) // the pairs that joints keep apart
 		raise_int(&p->counters->joints_dirty, 0x7fffffff);
 	else if (c.live && (changed || begins))
 		raise_int(&p->counters->joints_copied, 1);
@@ -173,11 +192,19 @@ KERNEL(bay_move_contact)
 	p->contact_place[from] = -1;
 }
 
-// Item: one. Sets the number of contact slots of all live bays. argument: the number.
-KERNEL(bay_moved_contacts)
+// Item: one. Sets the numbers of slots of all live bays, and notes edits of the host. argument: bits of BAY_COUNT_*, and
+// the number of live bays.
+KERNEL(bay_count)
 {
-	p->counters->contacts = p->argument;
-	p->counters->live = p->argument;
+	GLOBAL Counters* c = p->counters;
+	int edits = RUN_LOW(p->argument), live = RUN_HIGH(p->argument);
+	c->contacts = live << p->step.bays.contact_bits;
+	c->live = c->contacts;
+	c->joints = edits & BAY_COUNT_JOINTS ? live << p->step.bays.joint_bits : 0;
+	if (edits & BAY_COUNT_SPOTS)
+		c->joint_moved = c->joints_copied = 1;
+	if (edits & BAY_COUNT_EXCLUDED)
+		c->joints_dirty = 0x7fffffff;
 	(void)i;
 }
 

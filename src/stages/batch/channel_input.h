@@ -153,6 +153,11 @@ KERNEL(channel_input)
 		Command command = channel_command(p, c, body, values);
 		if (RUN_LOW(p->argument) & CHANNEL_ARRIVES)
 			command.kind = COMMAND_ARRIVE;
+		if (RUN_LOW(p->argument) & CHANNEL_ARRIVES && RUN_LOW(p->argument) & CHANNEL_AIMS)
+		{
+			command.kind = COMMAND_VELOCITY;
+			command.value = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+		}
 		command_apply(p, command);
 		if (command.kind == COMMAND_POSE && p->step.paths)
 			channel_seek(p, at.bay, body);

@@ -56,21 +56,32 @@ KERNEL(contact_list_group)
 INLINE int contact_bay(const Pools* p, int i) { return bay_of_collidable(p, (int)(p->key[i] >> p->step.key_bits)); }
 
 // Item: a new pair, in a batch. For the first pair of a world, lists the lowest free slots of its bay, in ascending order,
-// for all pairs of the world. If the bay is full, stores the number of slots that the bays need.
+// for all pairs of the world. If the bay has too few slots, or the world gets more contacts than its limit, stores the
+// number of its contacts. argument: maximum number of contacts of a world.
 KERNEL(contact_list_bay)
 {
-	int bits = p->step.bays.contact_bits, world = contact_bay(p, i), slot = world << bits, end = (world + 1) << bits;
+	int bits = p->step.bays.contact_bits, world = contact_bay(p, i), begin = world << bits, end = (world + 1) << bits;
 	if (i > 0 && contact_bay(p, i - 1) == world)
 		return;
-	for (int k = i; k < p->counters->sort_pairs && contact_bay(p, k) == world; ++k)
+	int slot = begin, pairs = 0;
+	for (int k = i; k < p->counters->sort_pairs && contact_bay(p, k) == world; ++k, ++pairs)
 	{
 		while (slot < end && p->pair[slot].x >= 0)
 			++slot;
-		if (slot < end && k < p->step.contact_capacity)
-			p->free_slot[k] = slot++;
-		else
-			raise_int(&p->counters->crowded, (1 << bits) + 1 + k - i);
+		if (slot < end && k < p->step.contact_capacity) // a pair beyond the capacity is that of a step with a full bay
+			p->free_slot[k] = slot;
+		slot += slot < end;
 	}
+	if (slot < end && 1 << bits <= p->argument)
+		return;
+	int contacts = pairs;
+	for (slot = begin; slot < end; ++slot)
+		contacts += p->pair[slot].x >= 0;
+	if (contacts <= 1 << bits && contacts <= p->argument)
+		return;
+	raise_int(&p->counters->crowded, contacts);
+	if (contacts > p->argument)
+		p->bay_state[world].crowded = contacts;
 }
 #endif
 

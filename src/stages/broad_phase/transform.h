@@ -80,10 +80,16 @@ KERNEL(step_begin)
 }
 
 #ifndef SCREE_SMALL // a build for WebAssembly has no batches
-// Item: a live bay, at the start of a step with dt above 0. Does the same for the values of each world.
+// Item: a live bay, before the solve. Does the same for the values of each world, unless the step is repeated or
+// abandoned.
 KERNEL(bay_begin)
 {
 	GLOBAL BayState* state = p->bay_state + i;
+	if (p->counters->stalled)
+		return;
+	state->penetration = state->joint_gap = state->nonfinite = state->crowded = 0;
+	if (!(p->step.dt > 0.0f))
+		return;
 	state->presses = (state->press[0] && state->press[1]) || state->ways;
 	state->press[0] = state->press[1] = state->ways = 0;
 	if (state->presses)

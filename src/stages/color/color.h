@@ -263,6 +263,7 @@ KERNEL(color_arrange)
 	c->overflow_first = 0x7fffffff;
 	c->entered = c->entered || (BATCHED(p) && c->copied_spokes) || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
 	c->arranged = left == 0 && (!c->entered || RUN_HIGH(p->argument) > COLOR_BITS);
+	c->arranged = c->arranged && !(BATCHED(p) && c->stalled); // the layout of an abandoned step might stay incomplete
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
 	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->dirty[CONSTRAINT_##KIND] ? c->kind##s : 0;
 #include "pools/kinds.def"

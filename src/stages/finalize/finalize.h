@@ -85,6 +85,8 @@ INLINE void finalize_body(const Pools* p, int i)
 	{
 		atomic_add_int(&p->counters->nonfinite, 1);
 		atomic_min_int(&p->counters->first_nonfinite, i);
+		if (BATCHED(p))
+			atomic_add_int(&bay_state_of(p, i)->nonfinite, 1);
 		v = vec(0.0f, 0.0f);
 		d = vec(0.0f, 0.0f);
 		w = 0.0f;

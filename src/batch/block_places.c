@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// block_places.c -- moves worlds of a block to other bays: pauses, resumes and resets them.
+//
+// Running worlds are in the first bays, the live ones, so the time of a step depends only on their number. A paused world
+// is in a spare bay. A bay that a paused world left gets a world that runs again, or the one from the last live bay.
+#include "batch/block_places.h"
+#include "batch/block_pools.h"
+#include "platform/error.h"
+#include "step/bay_layout.h"
+
+scree_status block_places_open(Block* block)
+{
+	size_t worlds = (size_t)block->worlds;
+	block->copies = scree_allocate(sizeof *block->copies * worlds);
+	block->rows = scree_allocate(sizeof *block->rows * worlds);
+	block->bay_of = scree_allocate(sizeof *block->bay_of * worlds);
+	block->row_of = scree_allocate(sizeof *block->row_of * worlds);
+	block->paused = scree_allocate(sizeof *block->paused * worlds);
+	block->plan = scree_allocate(sizeof *block->plan * worlds);
+	block->unused = scree_allocate(sizeof *block->unused * worlds);
+	if (!block->copies || !block->rows || !block->bay_of || !block->row_of || !block->paused || !block->plan ||
+	    !block->unused)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for a batch");
+	for (int k = 0; k < block->worlds; ++k)
+		block->bay_of[k] = block->row_of[k] = k;
+	return SCREE_OK;
+}
+
+void block_places_close(Block* block)
+{
+	scree_release(block->copies);
+	scree_release(block->rows);
+	scree_release(block->bay_of);
+	scree_release(block->row_of);
+	scree_release(block->paused);
+	scree_release(block->plan);
+	scree_release(block->unused);
+}
+
+static void add_copy(Block* block, int* count, int from, int to, int row)
+{
+	block->copies[*count] = make_int2(from, to);
+	block->rows[(*count)++] = row;
+}
+
+static scree_status copy(Block* block, int count)
+{
+	return bays_copy(&block->pipeline, block->copies, block->rows, count);
+}
+
+// Makes room for `leaving` more paused worlds.
+static scree_status reserve_spares(Block* block, int leaving)
+{
+	int more = leaving - block->unused_count, first = block->empty + 1;
+	if (more <= 0)
+		return SCREE_OK;
+	TRY(bays_spare(&block->pipeline, first + block->paused_most + more - block->worlds));
+	for (int k = 0; k < more; ++k)
+		block->unused[block->unused_count++] = first + block->paused_most++;
+	return SCREE_OK;
+}
+
+// Moves worlds that are to be paused to spare bays.
+static scree_status leave(Block* block)
+{
+	const Pipeline* p = &block->pipeline;
+	int count = 0;
+	for (int row = 0; row < block->worlds; ++row)
+	{
+		if (!(block->plan[row] & PLAN_PAUSE) || !block_runs(block, row))
+			continue;
+		int from = block->bay_of[row], to = block->unused[--block->unused_count];
+		block->paused[row] = (Paused){.h = p->step.h,
+		                              .dirty = p->dirty,
+		                              .surfaces = p->surfaces_changed,
+		                              .presses = p->counters.presses != 0,
+		                              .taut = p->taut != 0};
+		add_copy(block, &count, from, to, row);
+		block->bay_of[row] = to;
+		block->row_of[from] = -1;
+	}
+	return copy(block, count);
+}
+
+// Sets the flags of the next step that a world needs which runs again, or is put back to its template.
+static void add_pending(Block* block, int row, bool resets)
+{
+	Pipeline* p = &block->pipeline;
+	const Pipeline* from = &block_template(block, row)->pipeline;
+	const Paused* paused = block->paused + row;
+	if (!resets)
+	{
+		p->dirty |= paused->dirty;
+		p->surfaces_changed |= paused->surfaces;
+		p->counters.presses |= paused->presses;
+		p->taut |= paused->taut;
+		return;
+	}
+	// joints of the template that have not begun, or that have broken since, change the pairs that never touch
+	p->dirty |= from->dirty || from->can_break;
+	p->surfaces_changed |= from->surfaces_changed;
+	p->taut |= from->taut;
+	p->counters.presses |= from->counters.presses; // Step.presses, in the next step
+}
+
+// Moves worlds to the first `live` bays, and puts worlds back to their templates.
+static scree_status enter(Block* block, int live)
+{
+	int count = 0, free = 0;
+	for (int row = 0; row < block->worlds; ++row)
+	{
+		if (block->plan[row] & PLAN_PAUSE)
+			continue;
+		bool resets = block->plan[row] & PLAN_RESET, ran = block_runs(block, row);
+		int from = block->bay_of[row], to = from;
+		if (from >= live)
+		{
+			while (block->row_of[free] >= 0)
+				++free;
+			to = free;
+		}
+		if (resets || !ran)
+			add_pending(block, row, resets);
+		if (!ran)
+			block->unused[block->unused_count++] = from;
+		else if (to != from)
+			block->row_of[from] = -1;
+		if (resets || to != from)
+			add_copy(block, &count, resets ? block->spare_of[block->template_of[block->first + row]] : from, to, row);
+		block->bay_of[row] = to;
+		block->row_of[to] = row;
+	}
+	return copy(block, count);
+}
+
+// Empties bays from `live` on that were live before.
+static scree_status vacate(Block* block, int live)
+{
+	int count = 0;
+	for (int bay = live; bay < block->pipeline.live_bays; ++bay)
+		add_copy(block, &count, block->empty, bay, -1);
+	return copy(block, count);
+}
+
+scree_status block_arrange(Block* block)
+{
+	int live = 0, leaving = 0;
+	bool moves = false;
+	for (int row = 0; row < block->worlds; ++row)
+	{
+		bool pauses = block->plan[row] & PLAN_PAUSE, runs = block_runs(block, row);
+		live += !pauses;
+		leaving += pauses && runs;
+		moves |= pauses == runs;
+	}
+	TRY(reserve_spares(block, leaving));
+	TRY(leave(block));
+	TRY(enter(block, live));
+	TRY(vacate(block, live));
+	return moves ? block_count(block, live) : SCREE_OK;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// block_places.h -- moves worlds of a block to other bays: pauses, resumes and resets them.
+#ifndef BLOCK_PLACES_H
+#define BLOCK_PLACES_H
+#include "batch/block_state.h"
+
+// Allocates the lists of places. Each world has the live bay of its row.
+scree_status block_places_open(Block* block);
+void block_places_close(Block* block);
+
+// Pauses, resumes and resets worlds, as Block.plan says. The running worlds are then in the first bays.
+scree_status block_arrange(Block* block);
+
+#endif
