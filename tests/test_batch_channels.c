@@ -8,7 +8,7 @@
 
 #define WORLDS  7
 #define INPUTS  11 // channels of each step
-#define OUTPUTS 10
+#define OUTPUTS 12
 #define STEPS   40
 #define RAYS    5
 
@@ -156,7 +156,7 @@ static int outputs_of(const Rig* r, scree_channel* c)
 	static const scree_channel_kind kinds[OUTPUTS] = {
 	    SCREE_OUTPUT_POSE,        SCREE_OUTPUT_RELATIVE_POSE, SCREE_OUTPUT_JOINT_VALUE, SCREE_OUTPUT_TOUCH,
 	    SCREE_OUTPUT_JOINT_SPEED, SCREE_OUTPUT_RAYS,          SCREE_OUTPUT_JOINT_FORCE, SCREE_OUTPUT_VELOCITY,
-	    SCREE_OUTPUT_TOUCH,       SCREE_OUTPUT_RAYS,
+	    SCREE_OUTPUT_TOUCH,       SCREE_OUTPUT_RAYS,          SCREE_OUTPUT_JOINT_VALUE, SCREE_OUTPUT_JOINT_SPEED,
 	};
 	for (int k = 0; k < OUTPUTS; ++k)
 		c[k] = scree_channel_make(kinds[k]);
@@ -175,7 +175,9 @@ static int outputs_of(const Rig* r, scree_channel* c)
 	c[8].other_collidable = collidable_of(r->world, r->boxes[0]);
 	c[9].point = (scree_vec){-4.0f, 9.0f};
 	c[9].translation = (scree_vec){0.1f, -12.0f};
-	return 4 + 4 + 1 + 3 + 1 + RAYS + 3 + 3 + 3 + 1;
+	c[10].joint = c[11].joint = r->axles[0];
+	c[10].which = c[11].which = SCREE_ANGLE;
+	return 4 + 4 + 1 + 3 + 1 + RAYS + 3 + 3 + 3 + 1 + 2;
 }
 
 // Writes the number of touches of a body, with another one only unless it is null, and the sum of their impulses.
@@ -236,6 +238,8 @@ static void read_alone(const Rig* r, float* before, float* to)
 	touches_alone(world, r->boxes[1], r->boxes[0], before + 1, to);
 	to += 3;
 	*to++ = ray_alone(world, NOBODY, (scree_vec){-4.0f, 9.0f}, (scree_vec){0.1f, -12.0f});
+	scree_joint_state other = joint_state_of(world, r->axles[0]);
+	*to++ = other.values[SCREE_ANGLE], *to++ = other.speeds[SCREE_ANGLE];
 }
 
 typedef struct

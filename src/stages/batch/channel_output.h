@@ -102,17 +102,44 @@ KERNEL(channel_body)
 	}
 }
 
+// Returns the rotation of a frame of a joint in the world, without its position.
+INLINE JointFrame channel_frame(const Pools* p, Float4 frame, int body)
+{
+	JointFrame at;
+	Float4 pose = p->pose[body];
+	at.turn = vec_turn(vec(pose.z, pose.w), vec(frame.z, frame.w));
+	at.arm = at.position = at.rest = vec(0.0f, 0.0f);
+	return at;
+}
+
+// Returns the angle of a joint and its speed, as joint_state_now, without the other coordinates. The joint is neither a
+// coupling nor on a path.
+INLINE JointState channel_angle(const Pools* p, int slot)
+{
+	JointState now;
+	int ia = p->joint_data[slot].body_a, ib = p->joint_data[slot].body_b;
+	JointFrame a = channel_frame(p, p->joint_data[slot].frame[0], ia);
+	JointFrame b = channel_frame(p, p->joint_data[slot].frame[1], ib);
+	now.value[JOINT_ANGLE] = flush_tiny(joint_turned(&a, &b, joint_turned_last(p, slot)));
+	now.speed[JOINT_ANGLE] = flush_tiny(number_of(p->body[ib].w - p->body[ia].w));
+	return now;
+}
+
 // Item: the outputs of a joint in a live bay.
 KERNEL(channel_joint)
 {
 	ChannelGroup at = channel_group(p, i);
 	const GLOBAL Channel* channels = at.channels;
-	int slot = (at.bay << p->step.bays.joint_bits) + channels[at.first].item, forces = 0;
+	int slot = (at.bay << p->step.bays.joint_bits) + channels[at.first].item, forces = 0, others = 0;
 	if (channels[at.first].kind == CHANNEL_KINDS)
 		return;
 	for (int k = at.first; k < at.end; ++k)
+	{
 		forces |= channels[k].kind == CHANNEL_GET_JOINT_FORCE;
-	JointState now = joint_state_now(p, slot, forces);
+		others |= channels[k].which != JOINT_ANGLE;
+	}
+	others |= forces | ((int)p->joint_data[slot].modes & (JOINT_COUPLED | JOINT_RAILED));
+	JointState now = others ? joint_state_now(p, slot, forces) : channel_angle(p, slot);
 	for (int k = at.first; k < at.end; ++k)
 	{
 		GLOBAL float* to = at.row + channels[k].column;
