@@ -1,4 +1,4 @@
-# examples.cmake -- builds examples that tests run: rollback, and the steps of the first game, whose window needs SDL2.
+# examples.cmake -- builds examples that tests run: rollback, evolve, and the steps of the first game, whose window needs SDL2.
 file(GLOB rollback_sources CONFIGURE_DEPENDS examples/rollback/*.c)
 
 # not installed: it is a source to read; examples/CMakeLists.txt builds all examples with an installed library
@@ -7,6 +7,19 @@ if(UNIX)
 	add_executable(rollback ${rollback_sources})
 	scree_flags(rollback)
 	target_link_libraries(rollback PRIVATE scree::scree m)
+endif()
+
+# evolution of a gait in a batch; evolve_mpi over the ranks of MPI
+if(TARGET scree::scene)
+	add_executable(evolve examples/evolve.c)
+	target_link_libraries(evolve PRIVATE scree::scene)
+	scree_flags(evolve)
+	if(TARGET scree::mpi)
+		add_executable(evolve_mpi examples/evolve.c)
+		target_compile_definitions(evolve_mpi PRIVATE EVOLVE_MPI)
+		target_link_libraries(evolve_mpi PRIVATE scree::scene scree::mpi)
+		scree_flags(evolve_mpi)
+	endif()
 endif()
 
 if(NOT CMAKE_CROSSCOMPILING)

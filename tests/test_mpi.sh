@@ -11,19 +11,14 @@ skip()
 	exit 77
 }
 [ -x "$program" ] || skip "MPI was not found when this build was configured; Debian has it in libopenmpi-dev"
-run=${SCREE_MPIEXEC:-mpiexec}
-command -v "$run" >/dev/null || skip "there is no $run, which starts programs of MPI; Debian has it in openmpi-bin"
-
-# Open MPI refuses to run as root, and to start more ranks than there are cores; idle ranks would take the cores of busy ones
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
-# containers forbid that processes read each other's memory, and have no network but the loopback
-export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_btl=self,vader
+. "${SCREE_SOURCE:?is the folder of the sources}/tests/mpi_support.sh"
+command -v "$mpiexec" >/dev/null || skip "there is no $mpiexec, which starts programs of MPI; Debian has it in openmpi-bin"
 scratch=$(mktemp -d "$SCREE_BUILD/mpi.XXXXXX")
 trap 'rm -rf "$scratch"' EXIT
 
 failures=0
 for ranks in 1 2 3 4; do
-	timeout 120 "$run" -n $ranks "$program" >"$scratch/$ranks" 2>"$scratch/errors" || {
+	timeout 120 "$mpiexec" -n $ranks "$program" >"$scratch/$ranks" 2>"$scratch/errors" || {
 		echo "FAILED: $ranks ranks: exit code $?"
 		cat "$scratch/$ranks" "$scratch/errors"
 		failures=$((failures + 1))

@@ -30,6 +30,9 @@ for shared in OFF ON; do
 	if [ -f "$libdir/libscree_scene.a" ]; then
 		LD_LIBRARY_PATH=$libdir "$build/scene" "$SCREE_SOURCE/scenes/wrecking-ball.json" "$scratch/scene_$shared.json" | tee "$scratch/scene_$shared.txt"
 		grep -q 'bodies after 60 steps' "$scratch/scene_$shared.txt"
+		(cd "$scratch" && LD_LIBRARY_PATH=$libdir "$build/evolve" "$SCREE_SOURCE/scenes/walker.json" cpu 1) | tee "$scratch/evolve_$shared.txt"
+		grep -q 'as in the batch' "$scratch/evolve_$shared.txt"
+		cmp "$scratch/evolve_OFF.txt" "$scratch/evolve_$shared.txt"
 	fi
 	linked=$(objdump -p "$build/hello" | grep -c 'NEEDED.*libscree' || true)
 	[ "$linked" = "$([ $shared = ON ] && echo 1 || echo 0)" ] || { echo "BUILD_SHARED_LIBS=$shared links the wrong library"; exit 1; }
@@ -65,6 +68,7 @@ fi
 if [ -f "$libdir/libscree_mpi.a" ]; then
 	mpi=$SCREE_SOURCE/tests/tools/mpi_worlds.c
 	OMPI_CC=$CC MPICH_CC=$CC mpicc -std=c17 -Wall -Wextra -Werror "$mpi" -o "$scratch/mpi_shared" $(pkg-config --cflags --libs scree_mpi) -lm
+	[ -x "$scratch/cmake_ON/evolve_mpi" ] || { echo "evolve_mpi was not built"; exit 1; }
 	mkdir "$scratch/mpi"
 	printf 'cmake_minimum_required(VERSION 3.22)\nproject(worlds C)\nfind_package(scree REQUIRED COMPONENTS mpi)\nadd_executable(worlds %s)\ntarget_link_libraries(worlds scree::mpi m)\n' \
 		"$mpi" >"$scratch/mpi/CMakeLists.txt"
