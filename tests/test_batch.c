@@ -3,84 +3,7 @@
 //
 // Formula: hash(world in a batch, age) = hash(same world alone, age), for each template, number of worlds, place in the
 // batch, device, number of threads and lanes, after resets of any worlds at any time. age: steps since the last reset.
-#include "support/make_joints.h"
-#include "support/second_device.h"
-#include "support/small_scenes.h"
-
-#define MOST_TEMPLATES 32
-#define AGES           40 // number of steps of a template that are recorded
-
-typedef struct
-{
-	scree_world* worlds[MOST_TEMPLATES];
-	uint64_t hashes[MOST_TEMPLATES][AGES + 1]; // hashes of each template alone, by age
-	int count;
-	float dt;
-	int substeps;
-} Templates;
-
-static uint32_t random_state = 1;
-
-static int random_below(int end)
-{
-	random_state = random_state * 1664525u + 1013904223u;
-	return (int)((random_state >> 8) % (uint32_t)end);
-}
-
-static void record_alone(Templates* t)
-{
-	for (int k = 0; k < t->count; ++k)
-		for (int age = 0; age <= AGES; ++age)
-		{
-			t->hashes[k][age] = hash_of(t->worlds[k]);
-			OK(scree_world_step(t->worlds[k], t->dt, t->substeps));
-		}
-}
-
-static void close_templates(Templates* t)
-{
-	for (int k = 0; k < t->count; ++k)
-		scree_world_destroy(t->worlds[k]);
-	t->count = 0;
-}
-
-typedef struct
-{
-	const char* device;
-	int worlds, threads, lanes;
-} Place;
-
-static scree_batch* open_batch(Templates* t, const Place* place, int* template_of)
-{
-	scree_batch_def def = scree_batch_def_default();
-	scree_batch* batch;
-	def.worlds = place->worlds;
-	def.templates = t->worlds;
-	def.template_count = t->count;
-	def.template_of = template_of;
-	def.device = place->device;
-	def.threads = place->threads;
-	def.lanes = place->lanes;
-	for (int k = 0; k < def.worlds; ++k)
-		template_of[k] = random_below(t->count);
-	OK(scree_batch_create(&def, &batch));
-	assert_int_equal(scree_batch_get_worlds(batch), def.worlds);
-	return batch;
-}
-
-static void check_hashes(scree_batch* batch, const Templates* t, const int* template_of, const int* ages,
-                         const char* name)
-{
-	int worlds = scree_batch_get_worlds(batch);
-	uint64_t* hashes = malloc(sizeof *hashes * (size_t)worlds);
-	OK(scree_batch_get_hashes(batch, hashes));
-	for (int k = 0; k < worlds; ++k)
-		if (hashes[k] != t->hashes[template_of[k]][ages[k]])
-			fail_msg("%s: world %d of %d, template %d, age %d: hash %016llx, alone %016llx", name, k, worlds,
-			         template_of[k], ages[k], (unsigned long long)hashes[k],
-			         (unsigned long long)t->hashes[template_of[k]][ages[k]]);
-	free(hashes);
-}
+#include "support/batch_worlds.h"
 
 // Steps a batch, resets random worlds, and compares all worlds with their templates, which record_alone has stepped.
 static void check_batch(scree_batch* batch, const Templates* t, const int* template_of, int steps, const char* name)
@@ -111,35 +34,6 @@ static void check_batch(scree_batch* batch, const Templates* t, const int* templ
 	free(mask);
 }
 
-static scree_status try_templates(Templates* t)
-{
-	scree_batch_def def = scree_batch_def_default();
-	scree_batch* batch;
-	def.templates = t->worlds;
-	def.template_count = t->count;
-	scree_status status = scree_batch_create(&def, &batch);
-	scree_batch_destroy(batch);
-	return status;
-}
-
-// Opens a scene without sleep, after some of its steps.
-static scree_world* scene_world(const Scenario* scenario, int steps)
-{
-	scree_world_def def = scenario->def;
-	scree_world* world;
-	def.device = "cpu";
-	def.threads = 1;
-	def.sleep = false;
-	OK(scree_world_create(&def, &world));
-	scenario->build(world, scenario->context);
-	for (int step = 0; step < steps; ++step)
-	{
-		scenario->act(world, step, scenario->context);
-		OK(scree_world_step(world, scenario->dt, scenario->substeps));
-	}
-	return world;
-}
-
 static void scene_equals(const Scenario* scenario)
 {
 	Templates t = {.dt = scenario->dt, .substeps = scenario->substeps};
@@ -147,18 +41,8 @@ static void scene_equals(const Scenario* scenario)
 	int template_of[3][8];
 	for (int first = 0; first <= 25; first += 25) // with joints that have not begun; in motion
 	{
-		for (t.count = 0; t.count < 2; ++t.count)
-			t.worlds[t.count] = scene_world(scenario, first == 0 ? 0 : first + 9 * t.count);
-		if (try_templates(&t) != SCREE_OK)
-		{
-			scree_world_destroy(t.worlds[--t.count]); // paths and pairs of materials: one template
-			if (try_templates(&t) != SCREE_OK)
-			{
-				assert_non_null(strstr(scree_error(), "which worlds of a batch cannot have yet"));
-				close_templates(&t);
-				return;
-			}
-		}
+		if (!open_scene_templates(&t, scenario, first))
+			return;
 		int used = second_device[0] ? 3 : 2;
 		scree_batch* batches[3];
 		random_state = (uint32_t)first + 7;
@@ -224,31 +108,6 @@ static void templates_are_mixed(void** state)
 	player_close(small_players);
 	player_close(small_players + 1);
 	assert_int_equal(scree_memory(), 0);
-}
-
-static scree_world* open_awake(float gravity_y)
-{
-	scree_world_def def = scree_world_def_default();
-	def.device = "cpu";
-	def.threads = 1;
-	def.gravity.y = gravity_y;
-	def.sleep = false;
-	return create_world(&def);
-}
-
-// Opens a world of boxes that fall on one another, so that contacts become more from step to step.
-static scree_world* falling_boxes(int boxes)
-{
-	scree_world* world = open_awake(-10.0f);
-	scree_body_def def = crate_def(world, SCREE_BODY_STATIC, 0.0f, -1.0f);
-	scree_body body;
-	OK(scree_body_create(world, &def, &body));
-	for (int k = 0; k < boxes; ++k)
-	{
-		def = crate_def(world, SCREE_BODY_DYNAMIC, 0.3f * (float)(k % 3), 1.0f + 1.3f * (float)k);
-		OK(scree_body_create(world, &def, &body));
-	}
-	return world;
 }
 
 // Bays whose contact slots are too few grow in the middle of a step, and nothing is lost.
@@ -336,13 +195,6 @@ static void lengths_may_change(void** state)
 	player_close(small_players + 1);
 	assert_int_equal(scree_memory(), 0);
 }
-
-#define REFUSED(call, sentence)                       \
-	do                                                \
-	{                                                 \
-		assert_int_equal(call, SCREE_ERROR_INVALID);  \
-		assert_string_equal(scree_error(), sentence); \
-	} while (0)
 
 static void bad_arguments_are_refused(void** state)
 {

@@ -2484,6 +2484,38 @@ static inline scree_status scree_batch_get_counters(scree_batch* batch, scree_ba
 // one entry per world.
 SCREE_API scree_status scree_batch_get_hashes(scree_batch* batch, uint64_t* hashes);
 
+// Returns the size of the state of one world of the batch, bytes; 0 if batch is null. It can become larger in a step,
+// or by scree_batch_load, because worlds get more contacts.
+SCREE_API size_t scree_batch_get_state_bytes(const scree_batch* batch);
+
+// Writes the states of `count` worlds. worlds: their indices; a world may occur more than once. State k begins at byte
+// k * state_bytes of `states`; state_bytes is at least scree_batch_get_state_bytes. States contain no addresses: they
+// may be moved, stored, and sent to other computers.
+SCREE_API scree_status scree_batch_save(scree_batch* batch, const int32_t* worlds, int count, void* states,
+                                        size_t state_bytes);
+
+// Puts `count` different worlds into states, so that they have the hashes of the saved worlds. State k begins at byte
+// k * state_bytes of `states`; if state_bytes is 0, all worlds get the first state. States may come from another batch,
+// device or process with the same version of the library; the template of each world must have the structure and the
+// settings of the one of the saved world, and may be in any state. Fails with SCREE_ERROR_INVALID, and changes nothing,
+// if a state is damaged or does not fit, or if it has joints and the substeps of its last step and of the last step of
+// the batch have different lengths.
+SCREE_API scree_status scree_batch_load(scree_batch* batch, const int32_t* worlds, int count, const void* states,
+                                        size_t state_bytes);
+
+// Creates an ordinary world with the state and the hash of a world of a batch. def: device and threads, as for
+// scree_world_clone; null: a CPU with one thread. Handles of the template are valid in it. Events of the last step, and
+// contact details, are not part of the state. The caller owns *made and destroys it with scree_world_destroy. On
+// failure *made is null.
+SCREE_API scree_status scree_batch_extract(scree_batch* batch, int world, const scree_world_def* def,
+                                           scree_world** made);
+
+// Puts a world of a batch into the state of an ordinary world, which stays as it is: one of scree_batch_extract, or a
+// clone of the template. It may have been stepped, and have other poses, velocities, forces, motor speeds and joint
+// targets. Fails with SCREE_ERROR_INVALID, and changes nothing, if shapes, masses, joints, rules or settings differ
+// from those of the template of the world, or for the reasons of scree_batch_load.
+SCREE_API scree_status scree_batch_insert(scree_batch* batch, int world, scree_world* from);
+
 // Returns the number of worlds; 0 if batch is null.
 SCREE_API int scree_batch_get_worlds(const scree_batch* batch);
 

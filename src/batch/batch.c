@@ -5,6 +5,7 @@
 // another within a step, and the pools of a block stay in the worker's cache.
 #include "batch/batch.h"
 #include "batch/channel_rows.h"
+#include "batch/fingerprint.h"
 #include "platform/error.h"
 #include "platform/processor.h"
 #include "step/bay_layout.h"
@@ -81,6 +82,7 @@ static scree_status read_templates(scree_batch* batch, const scree_batch_def* de
 		Template* made = batch->templates + t;
 		batch->template_count = t + 1;
 		TRY(template_read(def->templates[t], function, t, made));
+		made->fingerprint = fingerprint_of(made);
 		if (!moves_alike(made, batch->templates))
 			return fail(SCREE_ERROR_INVALID, "%s: template %d has another gravity, tuning or substep than template 0",
 			            function, t);

@@ -146,12 +146,19 @@ static int gather_resets(Block* block, const ChannelSet* set)
 	return count;
 }
 
+// Writes the touches of the worlds of the first entries of the pool bay_copy.
+static scree_status begin_touches(Block* block, int copies)
+{
+	return run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_COPIES | CHANNEL_BEGINS, copies, 0,
+	                  block->sets[CHANNELS_OUTPUTS].joint_group);
+}
+
 scree_status block_apply_reset(Block* block)
 {
 	Backend* b = block->backend;
 	if (!block->sets || block->sets[CHANNELS_RESET].count + block->sets[CHANNELS_OUTPUTS].count == 0)
 		return SCREE_OK;
-	const ChannelSet *set = block->sets + CHANNELS_RESET, *outputs = block->sets + CHANNELS_OUTPUTS;
+	const ChannelSet* set = block->sets + CHANNELS_RESET;
 	int resets = gather_resets(block, set);
 	if (resets == 0)
 		return SCREE_OK;
@@ -159,8 +166,20 @@ scree_status block_apply_reset(Block* block)
 	if (set->count > 0)
 		TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_RESET].column, resets * set->columns, block->converted));
 	TRY(run_groups(block, KERNEL_channel_input, CHANNELS_RESET, CHANNEL_COPIES, resets, 0, set->groups));
-	return run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_COPIES | CHANNEL_BEGINS, resets, 0,
-	                  outputs->joint_group);
+	return begin_touches(block, resets);
+}
+
+scree_status block_begin_touches(Block* block, int copies)
+{
+	Backend* b = block->backend;
+	int running = 0;
+	for (int k = 0; k < copies; ++k)
+		if (block->copies[k].y < block->worlds)
+			block->copies[running++] = block->copies[k];
+	if (!block->sets || running == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, POOL_bay_copy, 0, running, block->copies));
+	return begin_touches(block, running);
 }
 
 scree_status block_write_outputs(Block* block)

@@ -18,6 +18,10 @@ void block_aim(Block* block, bool first);
 // Applies the inputs of a reset to the worlds that Block.plan has put back to their templates.
 scree_status block_apply_reset(Block* block);
 
+// Writes the touches of the running worlds of Block.copies, which have other states, so that the next outputs tell which
+// are new. Changes Block.copies.
+scree_status block_begin_touches(Block* block, int copies);
+
 // Computes the outputs of worlds that run, and writes all outputs to the memory of the user.
 scree_status block_write_outputs(Block* block);
 

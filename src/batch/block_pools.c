@@ -35,15 +35,7 @@ static scree_status fill_spare(Block* block, const Template* from, int bay)
 		for (int pool = 0; pool < POOL_COUNT; ++pool)
 			if (pool_info[pool].per == kinds[k].per && pool_info[pool].role <= STANDING && used[k] > 0)
 				TRY(b->f->write(b, (PoolId)pool, kinds[k].first, used[k], template_item(from, (PoolId)pool, 0)));
-	const Counters* c = &from->pipeline.counters;
-	BayState state = {.press = {c->press[0], c->press[1]},
-	                  .ways = c->ways,
-	                  .taut = c->taut,
-	                  .taut_seen = from->pipeline.taut,
-	                  .joints_dirty = c->joints_dirty && from->contacts > 0,
-	                  .penetration = c->penetration,
-	                  .joint_gap = c->joint_gap,
-	                  .nonfinite = c->nonfinite};
+	BayState state = template_state(from);
 	Bay numbers = {from->bodies, from->collidables, from->first_attribute, -1, (int)(from - block->templates), {0}};
 	TRY(b->f->write(b, POOL_bay, bay, 1, &numbers));
 	return b->f->write(b, POOL_bay_state, bay, 1, &state);

@@ -11,6 +11,7 @@
 #include "world/objects/hidden_hash.h"
 #include "world/tuning_members.h"
 #include "world/upload/upload.h"
+#include <stdio.h>
 #include <string.h>
 
 static const size_t offsets[POOL_COUNT] = {
@@ -28,10 +29,23 @@ void* template_item(const Template* from, PoolId pool, int first)
 	return memory + (size_t)first * pool_info[pool].bytes;
 }
 
+typedef struct // subject of a message
+{
+	char text[32];
+} Subject;
+
+static Subject subject_of(int number)
+{
+	Subject subject = {"the world"};
+	if (number != ALONE)
+		snprintf(subject.text, sizeof subject.text, "template %d", number);
+	return subject;
+}
+
 static scree_status refuse_template(const char* function, int number, const char* what)
 {
-	return fail(SCREE_ERROR_INVALID, "%s: template %d has %s, which worlds of a batch cannot have yet", function,
-	            number, what);
+	return fail(SCREE_ERROR_INVALID, "%s: %s has %s, which worlds of a batch cannot have yet", function,
+	            subject_of(number).text, what);
 }
 
 static scree_status check_template(const scree_world* world, const char* function, int number)
@@ -50,10 +64,9 @@ static scree_status check_template(const scree_world* world, const char* functio
 	if (world->bodies.used > MOST_BAY_ITEMS || world->collidables.used > MOST_BAY_ITEMS ||
 	    p->counters.contacts > MOST_BAY_ITEMS || world->joints.used > MOST_BAY_ITEMS)
 		return fail(SCREE_ERROR_INVALID,
-		            "%s: template %d has %d bodies, %d collidables, %d contacts and %d joints, but must have at most "
-		            "%d of each",
-		            function, number, world->bodies.used, world->collidables.used, p->counters.contacts,
-		            world->joints.used, MOST_BAY_ITEMS);
+		            "%s: %s has %d bodies, %d collidables, %d contacts and %d joints, but must have at most %d of each",
+		            function, subject_of(number).text, world->bodies.used, world->collidables.used,
+		            p->counters.contacts, world->joints.used, MOST_BAY_ITEMS);
 	return SCREE_OK;
 }
 
@@ -133,7 +146,8 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	scree_world_def def = scree_world_def_default();
 	def.device = "cpu";
 	def.threads = 1;
-	TRY(scree_world_clone(world, &def, &made->world));
+	if (number != ALONE)
+		TRY(scree_world_clone(world, &def, &made->world));
 	made->bodies = world->bodies.used;
 	made->collidables = world->collidables.used;
 	made->attributes = world->edits.attribute_rows;
@@ -153,6 +167,20 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	TRY(read_pools(world, function, made));
 	leave_places(made);
 	return chains_find(world, &made->chains, &made->chain_memory);
+}
+
+BayState template_state(const Template* from)
+{
+	const Counters* c = &from->pipeline.counters;
+	return (BayState){.press = {c->press[0], c->press[1]},
+	                  .ways = c->ways,
+	                  .presses = c->presses > 0,
+	                  .taut = c->taut,
+	                  .taut_seen = from->pipeline.taut,
+	                  .joints_dirty = c->joints_dirty && from->contacts > 0,
+	                  .penetration = c->penetration,
+	                  .joint_gap = c->joint_gap,
+	                  .nonfinite = c->nonfinite};
 }
 
 void template_shift(Template* made, int first)

@@ -17,11 +17,16 @@ typedef struct
 	uint64_t hidden;     // the part of the hash that only the host has
 	ChainSearch chains;  // chains and branches
 	char* chain_memory;
-	int* kinematics; // indices of the kinematic bodies
+	int* kinematics;      // indices of the kinematic bodies
+	uint64_t fingerprint; // fingerprint_of; 0 before a batch or an insertion sets it
 } Template;
 
-// Reads a world. function, number: name of the caller, and index of the world among its templates, for messages.
+// Reads a world. function, number: name of the caller, and index of the world among its templates, for messages; ALONE:
+// the world is no template, and is not cloned.
 scree_status template_read(scree_world* world, const char* function, int number, Template* made);
+
+// Returns the state that the world of a template has in a bay.
+BayState template_state(const Template* from);
 void template_close(Template* made);
 
 // Numbers the attributes of the image from `first` on.

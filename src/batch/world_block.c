@@ -9,6 +9,11 @@
 #include "step/constants.h"
 #include <string.h>
 
+// Number of worlds of a block for each bay through which states come and go, and the maximum number of these bays: they need
+// little memory, and a device copies many worlds at once.
+#define STAGE_SHARE 8
+#define STAGES_MOST 256
+
 static int larger(int a, int b) { return a > b ? a : b; }
 
 // Adds what a template needs to the flags of a block. The flags that only some worlds need change no bit of the others.
@@ -74,6 +79,9 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		block->request.details |= templates[t].request.details;
 		block->request.reports |= templates[t].request.reports;
 	}
+	block->stage = worlds + sizes.spares;
+	block->stages = worlds < STAGE_SHARE ? 1 : worlds / STAGE_SHARE < STAGES_MOST ? worlds / STAGE_SHARE : STAGES_MOST;
+	sizes.spares += block->stages;
 	block->empty = worlds + sizes.spares++;
 	TRY(bays_open(p, &sizes));
 	block->request.contact_limit = 0;

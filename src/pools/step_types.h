@@ -87,7 +87,7 @@ typedef struct // 48 bytes: values of a world of a batch that the counters have 
 	int press[2], ways, presses; // Counters.press, ways, presses
 	int taut;                    // Counters.taut
 	int taut_seen, taut_used;    // its value at the start of the step, and of the step before, which the solve uses
-	int joints_dirty;            // 1 if contacts may have to restart because joints changed; only in spare bays
+	int joints_dirty;            // 1 if contacts may have to restart because joints changed since the last step
 	int penetration, joint_gap, nonfinite; // Counters.penetration, joint_gap, nonfinite
 	int crowded; // number of contacts that the world needs, if the step was abandoned because they are too many; else 0
 } BayState;

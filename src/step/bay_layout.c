@@ -21,6 +21,7 @@ static Step step_between(const Pipeline* pipeline)
 {
 	Step step = pipeline->step;
 	step_bays(&step, &pipeline->bays);
+	step.belts = pipeline->belts;
 	return step;
 }
 
@@ -141,15 +142,18 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	Backend* b = pipeline->backend;
 	const Bays* bays = &pipeline->bays;
 	const KindLayout* layout = pipeline->counters.layout;
+	int live = 0;
+	for (int k = 0; k < count; ++k)
+		live += copies[k].y < bays->worlds;
 	if (count == 0)
 		return SCREE_OK;
 	int bits_most = bays->contact_bits > bays->joint_bits ? bays->contact_bits : bays->joint_bits;
-	int most = pipeline->placed + (count << bits_most);
-	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	int most = pipeline->placed + (live << bits_most);
+	for (int kind = 0; kind < CONSTRAINT_KINDS && live > 0; ++kind)
 	{
 		int bits = kind == CONSTRAINT_CONTACT ? bays->contact_bits : bays->joint_bits;
 		TRY(pipeline_reserve(pipeline, kind_info[kind].places,
-		                     layout[kind].begin[COLORS + 1] + pipeline->placed + (count << bits)));
+		                     layout[kind].begin[COLORS + 1] + pipeline->placed + (live << bits)));
 	}
 	pipeline->placed = most;
 	TRY(b->f->write(b, POOL_bay_copy, 0, count, copies));
@@ -160,6 +164,8 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	TRY(run_one(pipeline, &step, KERNEL_bay_copy_contact, 0, count << bays->contact_bits, 0));
 	if (pipeline->bay_joints)
 		TRY(run_one(pipeline, &step, KERNEL_bay_copy_joint, 0, count << bays->joint_bits, 0));
+	if (live == 0) // no step visits the copies
+		return SCREE_OK;
 	pipeline->split = false;
 	pipeline->edited = true;
 	pipeline->counters.changed = 1; // the next step must not begin its solve before it has read the counters
@@ -205,6 +211,12 @@ scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts)
 	step->contact_capacity = bays_contacts(pipeline);
 	step_places(step, b);
 	return count(pipeline, step, 0);
+}
+
+scree_status bays_fit(Pipeline* pipeline, int contacts)
+{
+	Step step = step_between(pipeline);
+	return contacts > 1 << pipeline->bays.contact_bits ? bays_grow(pipeline, &step, contacts) : SCREE_OK;
 }
 
 scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes)

@@ -31,6 +31,9 @@ scree_status bays_live(Pipeline* pipeline, int live, int edits);
 // Gives each bay at least `contacts` contact slots, in the middle of a step. Sets the members of *step that depend on it.
 scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts);
 
+// The same between two steps.
+scree_status bays_fit(Pipeline* pipeline, int contacts);
+
 // Executes a kernel over items `begin` to `end` - 1 between steps.
 scree_status bays_run(Pipeline* pipeline, int kernel, int begin, int end, int argument);
 

@@ -355,11 +355,20 @@ static void lay_out(Pipeline* pipeline, int kind, int bits)
 	runs_add(list, info->layout, 0, items, count, bits);
 }
 
+void list_layout(Pipeline* pipeline, int bodies, int colored)
+{
+	int bits = color_bits(pipeline, bodies);
+	runs_add(&pipeline->list, KERNEL_color_arrange, 0, 1, COUNT(changed), RUN_PAIR(colored, bits));
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		if (kind == CONSTRAINT_CONTACT || kind_items(&pipeline->counters, kind) > 0)
+			lay_out(pipeline, kind, kind == CONSTRAINT_CONTACT ? bits : COLOR_BITS);
+}
+
 void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 {
 	RunList* list = &pipeline->list;
 	const Counters* c = &pipeline->counters;
-	int edges = 0, bits = color_bits(pipeline, bodies);
+	int edges = 0;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		edges += slots_most(pipeline, kind);
 	if (from == 0)
@@ -385,10 +394,7 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 	}
 	if (to > 0 || pipeline->skips)
 		runs_add(list, KERNEL_color_reset, 0, edges, COUNT(began), 0);
-	runs_add(list, KERNEL_color_arrange, 0, 1, COUNT(changed), RUN_PAIR((to - 1) % MAX_ROUNDS + 1, bits));
-	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		if (kind == CONSTRAINT_CONTACT || kind_items(c, kind) > 0)
-			lay_out(pipeline, kind, kind == CONSTRAINT_CONTACT ? bits : COLOR_BITS);
+	list_layout(pipeline, bodies, (to - 1) % MAX_ROUNDS + 1);
 	// each layout may move the rows of joints
 	if (pipeline->paths || pipeline->couplings)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);

@@ -16,6 +16,10 @@ void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request
 // rest: true if one worker then colors the constraints that are left (color_greedy).
 void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest);
 
+// Lists the runs that lay out the constraints by color, if some began or ended. colored: index in Counters.uncolored of
+// the number of those without a color.
+void list_layout(Pipeline* pipeline, int bodies, int colored);
+
 // Lists the runs that compute all boxes of a tree, also those of the room for leaves that are appended. leaf, node:
 // kernels; how: their argument, the tree in bit 0; count: NO_COUNT, or a counter; if it is 0, the runs do nothing.
 void list_tree(RunList* list, const TreeState* state, int leaf, int node, int how, int count);

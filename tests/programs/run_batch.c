@@ -3,11 +3,13 @@
 #include "platform/error.h"
 #include "programs/run_call.h"
 #include "step/pipeline_state.h"
+#include <stdlib.h>
 
-#define COPIES 3 // worlds of the batch; the second one is reset once, the last one paused for some steps
-#define AGES   6 // steps that are compared
-#define PAUSE  1 // first step without the last copy
-#define RESUME 4 // first step with it again
+#define COPIES  3 // worlds of the batch; the second one is reset once, the last one paused for some steps
+#define AGES    7 // steps that are compared
+#define PAUSE   1 // first step without the last copy
+#define RESUME  4 // first step with it again
+#define ROW_AGE 1 // age at which a world is saved
 
 // Lets a clone of a world stay awake from its next step on.
 static scree_status stay_awake(scree_world* world)
@@ -21,30 +23,79 @@ static scree_status stay_awake(scree_world* world)
 	return scree_world_step(world, 1.0f / 60.0f, 4);
 }
 
+typedef struct // the batch of a world, and what leaves it
+{
+	scree_batch* batch;
+	int ages[COPIES];
+	char* row;          // state of a world at the age ROW_AGE; null before
+	scree_world* taken; // a world that was taken out; null before
+	int taken_age;
+} Copies;
+
+// Saves world 0 at ROW_AGE, and loads it into the last world two steps later. Takes world 1 out after its reset, and puts it
+// back into world 0 later. Returns false if a call fails.
+static bool exchange(Copies* c, int step)
+{
+	const int32_t first = 0, last = COPIES - 1;
+	size_t bytes = scree_batch_get_state_bytes(c->batch);
+	if (step == ROW_AGE)
+	{
+		c->row = malloc(bytes);
+		return scree_batch_save(c->batch, &first, 1, c->row, bytes) == SCREE_OK;
+	}
+	if (step == ROW_AGE + 2)
+	{
+		if (scree_batch_load(c->batch, &last, 1, c->row, 0) != SCREE_OK)
+			return false;
+		c->ages[last] = ROW_AGE;
+		c->taken_age = c->ages[1];
+		return scree_batch_extract(c->batch, 1, NULL, &c->taken) == SCREE_OK;
+	}
+	if (step == ROW_AGE + 3)
+	{
+		c->ages[0] = c->taken_age;
+		return scree_batch_insert(c->batch, 0, c->taken) == SCREE_OK;
+	}
+	return true;
+}
+
+// Returns whether hashes[age] is the hash of each world.
+static bool hashes_agree(Copies* c, const uint64_t* expected)
+{
+	uint64_t hashes[COPIES], hash;
+	if (scree_batch_get_hashes(c->batch, hashes) != SCREE_OK)
+		return true;
+	for (int k = 0; k < COPIES; ++k)
+		if (hashes[k] != expected[c->ages[k]])
+			return false;
+	return !c->taken || scree_world_get_hash(c->taken, &hash) != SCREE_OK || hash == expected[c->taken_age];
+}
+
 // Steps a clone and its copies in a batch. Returns whether their hashes are equal. If one of the two fails, ends without a
 // difference: the limits of contacts differ.
-static bool steps_alike(scree_world* alone, scree_batch* batch)
+static bool steps_alike(scree_world* alone, Copies* c)
 {
 	static const uint8_t mask[COPIES] = {0, 1, 0}, pause[COPIES] = {0, 0, 1};
-	uint64_t hashes[COPIES], expected[AGES];
-	int ages[COPIES] = {0};
+	uint64_t expected[AGES];
 	for (int step = 0; step < AGES; ++step)
 	{
-		if (scree_world_get_hash(alone, expected + step) != SCREE_OK ||
-		    scree_batch_get_hashes(batch, hashes) != SCREE_OK)
+		if (scree_world_get_hash(alone, expected + step) != SCREE_OK)
 			return true;
-		for (int k = 0; k < COPIES; ++k)
-			if (hashes[k] != expected[ages[k]])
-				return false;
-		if (step == 2 && scree_batch_reset(batch, mask) == SCREE_OK)
-			ages[1] = 0;
-		if ((step == PAUSE || step == RESUME) && scree_batch_pause(batch, step == PAUSE ? pause : NULL) != SCREE_OK)
+		if (!hashes_agree(c, expected))
+			return false;
+		if (step == 2 && scree_batch_reset(c->batch, mask) == SCREE_OK)
+			c->ages[1] = 0;
+		if ((step == PAUSE || step == RESUME) && scree_batch_pause(c->batch, step == PAUSE ? pause : NULL) != SCREE_OK)
+			return false;
+		if (!exchange(c, step) || !hashes_agree(c, expected))
 			return false;
 		if (scree_world_step(alone, 1.0f / 60.0f, 4) != SCREE_OK ||
-		    scree_batch_step(batch, 1.0f / 60.0f, 4, 1) != SCREE_OK)
+		    scree_batch_step(c->batch, 1.0f / 60.0f, 4, 1) != SCREE_OK ||
+		    (c->taken && scree_world_step(c->taken, 1.0f / 60.0f, 4) != SCREE_OK))
 			return true;
 		for (int k = 0; k < COPIES; ++k)
-			ages[k] += k < COPIES - 1 || step < PAUSE || step >= RESUME;
+			c->ages[k] += k < COPIES - 1 || step < PAUSE || step >= RESUME;
+		++c->taken_age;
 	}
 	return true;
 }
@@ -69,7 +120,10 @@ bool batch_repeat(scree_world* world, const Place* place, int* made)
 	if (stay_awake(alone) == SCREE_OK && scree_batch_create(&many, &batch) == SCREE_OK)
 	{
 		++*made;
-		alike = steps_alike(alone, batch);
+		Copies c = {.batch = batch};
+		alike = steps_alike(alone, &c);
+		scree_world_destroy(c.taken);
+		free(c.row);
 		scree_batch_destroy(batch);
 	}
 	scree_world_destroy(alone);

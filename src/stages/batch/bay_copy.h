@@ -43,6 +43,8 @@ INLINE void bay_copy_values(const Pools* p, int n, int live)
 	bay.world = p->bay_row[n];
 	if (live && state.joints_dirty)
 		raise_int(&p->counters->joints_dirty, 0x7fffffff);
+	if (live && p->step.belts)
+		raise_int(&p->counters->belts, 1); // the belt of a contact may have changed just before the world was saved
 	if (live)
 		state.crowded = 0;
 	else if (p->counters->joints_dirty)
@@ -59,9 +61,11 @@ KERNEL(bay_copy_body)
 	const Bays* bays = &p->step.bays;
 	int n = bay_of_body(p, i);
 	BayCopy c = bay_copy(p, n, i - n * bays->bodies, bays->bodies);
-	int hub = p->hub[c.to]; // entry of the list of hubs, not a value of the body
+	int hub = p->hub[c.to]; // entry of the list of hubs, not a value of the body; its keys belong to the layout too
+	Int2 hub_keys = p->hub_keys[c.to];
 	item_move(p, PER_BODY, c.to, c.from);
 	p->hub[c.to] = hub;
+	p->hub_keys[c.to] = hub_keys;
 	if (i == n * bays->bodies)
 		bay_copy_values(p, n, c.live);
 	if (p->continuous_body[c.to].first > 0)

@@ -87,7 +87,7 @@ KERNEL(bay_begin)
 	GLOBAL BayState* state = p->bay_state + i;
 	if (p->counters->stalled)
 		return;
-	state->penetration = state->joint_gap = state->nonfinite = state->crowded = 0;
+	state->penetration = state->joint_gap = state->nonfinite = state->crowded = state->joints_dirty = 0;
 	if (!(p->step.dt > 0.0f))
 		return;
 	state->presses = (state->press[0] && state->press[1]) || state->ways;

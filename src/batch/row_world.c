@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// row_world.c -- moves states between rows and ordinary worlds.
+//
+// A world gets the structure of its template from a clone, then the items of the row; its constraints are laid out as
+// in a step, so that no later bit differs.
+#include "batch/row_world.h"
+#include "step/relayout.h"
+#include "step/reserve.h"
+#include "step/tree_maintenance.h"
+#include "world/failure.h"
+#include "world/objects/joints.h"
+#include "world/objects/reports.h"
+#include "world/structure.h"
+#include "world/upload/upload.h"
+#include <string.h>
+
+static int used_slots(const Template* from)
+{
+	int count = from->contacts;
+	while (count > 0 && from->image.pair[count - 1].x < 0)
+		--count;
+	return count;
+}
+
+scree_status row_of_world(const Template* read, const char* function, char** row, size_t* bytes)
+{
+	const Pipeline* p = &read->pipeline;
+	size_t at[POOL_COUNT];
+	RowHead head = {.version = row_version(),
+	                .fingerprint = read->fingerprint,
+	                .count = {[ROW_BODIES] = read->bodies,
+	                          [ROW_COLLIDABLES] = read->collidables,
+	                          [ROW_CONTACTS] = used_slots(read),
+	                          [ROW_JOINTS] = read->joints},
+	                .dt = p->step.dt,
+	                .h = p->step.h,
+	                .surfaces_changed = p->surfaces_changed,
+	                .state = template_state(read)};
+	*bytes = row_layout(head.count, at);
+	*row = scree_allocate(*bytes);
+	if (!*row)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a state of %zu bytes", function, *bytes);
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		int kind = row_kind((PoolId)pool);
+		if (kind < 0)
+			continue;
+		char* items = *row + at[pool];
+		memcpy(items, template_item(read, (PoolId)pool, 0), pool_info[pool].bytes * (size_t)head.count[kind]);
+		if (kind == ROW_CONTACTS)
+			row_tidy((PoolId)pool, items, read->image.pair, head.count[kind]);
+	}
+	row_seal(*row, &head);
+	return SCREE_OK;
+}
+
+// Writes the items of a row, which is aligned. No constraint has a place afterwards.
+static scree_status write_items(scree_world* world, const RowHead* head, const char* row)
+{
+	Backend* b = world->backend;
+	size_t at[POOL_COUNT];
+	row_layout(head->count, at);
+	TRY(pipeline_reserve(&world->pipeline, PER_CONTACT, head->count[ROW_CONTACTS] + 1));
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		int kind = row_kind((PoolId)pool);
+		if (kind >= 0 && head->count[kind] > 0)
+			TRY(b->f->write(b, (PoolId)pool, 0, head->count[kind], row + at[pool]));
+	}
+	static const struct
+	{
+		PoolId pool;
+		int kind;
+	} places[] = {{POOL_contact_place, ROW_CONTACTS}, {POOL_joint_place, ROW_JOINTS}};
+	int none[256];
+	memset(none, -1, sizeof none);
+	for (size_t k = 0; k < sizeof places / sizeof *places; ++k)
+		for (int first = 0, count = head->count[places[k].kind], part; first < count; first += part)
+		{
+			part = count - first < 256 ? count - first : 256;
+			TRY(b->f->write(b, places[k].pool, first, part, none));
+		}
+	return b->f->clear(b, POOL_start_pose, 0, b->capacity[PER_BODY]); // bodies jump to the poses of the row
+}
+
+// Sets the counters before the layout. Values that a step only hands to the user are 0.
+static void set_counters(const RowHead* head, const CollidablePair* pair, Counters* c)
+{
+	const BayState* state = &head->state;
+	*c = (Counters){.contacts = head->count[ROW_CONTACTS],
+	                .joints = head->count[ROW_JOINTS],
+	                .joined = c->joined,
+	                .press = {state->press[0], state->press[1]},
+	                .ways = state->ways,
+	                .presses = state->presses ? INT32_MAX : 0,
+	                .taut = state->taut,
+	                .penetration = state->penetration,
+	                .joint_gap = state->joint_gap,
+	                .nonfinite = state->nonfinite};
+	for (int k = 0; k < c->contacts; ++k)
+		c->alive += pair[k].x >= 0;
+}
+
+// Sets what the next step must do once. joints: 1 if contacts may have to restart because joints changed.
+static void set_duties(Pipeline* p, const RowHead* head)
+{
+	Step* step = &p->step;
+	step->dt = head->dt;
+	step->h = head->h;
+	step->inv_h = head->h > 0.0f ? 1.0f / head->h : 0.0f;
+	step->has_drives = p->has_drives;
+	step->springs = p->springs;
+	step->couplings = p->couplings;
+	step->paths = p->paths;
+	step->has_rolling = p->has_rolling;
+	p->taut = head->state.taut_seen;
+	p->surfaces_changed |= head->surfaces_changed != 0;
+	p->dirty = p->counters.joints + p->excluded > 0;
+	p->split = p->reverted = p->rested = false;
+	p->edited = true;
+	p->sparse = p->quiet = 0;
+	++p->steps; // the collidables are older than the last step
+	for (int t = 0; t < 2; ++t)
+		tree_touch(p, t);
+}
+
+// Gives the host the values of joints that inputs of a batch changed.
+static void take_joints(scree_world* world, const JointData* rows)
+{
+	for (int k = 0; k < world->joints.used; ++k)
+	{
+		JointData now = joint_edit(world, k).data;
+		for (int c = 0; c < JOINT_COORDINATES && slots_in_use(&world->joints, k); ++c)
+		{
+			scree_joint_coordinate* to = world->host_joints[k].def.coordinates + c;
+			const JointDriveData* drive = rows[k].drive + c;
+			to->target = rows[k].lock[c].target != now.lock[c].target ? rows[k].lock[c].target : to->target;
+			to->motor_speed = drive->speed != now.drive[c].speed ? drive->speed : to->motor_speed;
+			to->motor_max = drive->motor_most != now.drive[c].motor_most ? drive->motor_most : to->motor_max;
+		}
+	}
+}
+
+// Gives the host the poses of kinematic bodies, which have their center of mass at the origin.
+static void take_kinematics(scree_world* world, const Float4* poses, const BodyState* states)
+{
+	for (int k = 0; k < world->kinematic_count; ++k)
+	{
+		int body = world->kinematics[k];
+		HostBody* host = world->host_bodies + body;
+		Float4 pose = poses[body];
+		host->stands = (scree_pose){{pose.x, pose.y}, {pose.z, pose.w}};
+		host->still = states[body].vx == 0.0f && states[body].vy == 0.0f && states[body].w == 0.0f;
+		host->went = -1;
+	}
+}
+
+static void take_host(scree_world* world, const RowHead* head, const char* row)
+{
+	size_t at[POOL_COUNT];
+	row_layout(head->count, at);
+	take_joints(world, (const JointData*)(const void*)(row + at[POOL_joint_data]));
+	take_kinematics(world, (const Float4*)(const void*)(row + at[POOL_pose]),
+	                (const BodyState*)(const void*)(row + at[POOL_body]));
+	reports_forget(world);
+	structure_changed(world);
+}
+
+static scree_status take_aligned(scree_world* world, const Template* from, const RowHead* head, const char* row)
+{
+	Pipeline* p = &world->pipeline;
+	Backend* b = world->backend;
+	size_t at[POOL_COUNT];
+	row_layout(head->count, at);
+	const int* color = (const int*)(const void*)(row + at[POOL_contact_color]);
+	bool spokes = false;
+	for (int k = 0; k < head->count[ROW_CONTACTS]; ++k)
+		spokes |= color[k] == COLORS;
+	TRY(write_items(world, head, row));
+	set_counters(head, (const CollidablePair*)(const void*)(row + at[POOL_pair]), &p->counters);
+	TRY(pipeline_lay_out(p, from->bodies, spokes));
+	p->counters.belts = p->belts; // the belt of a contact may have changed just before the row was saved
+	// the pairs that never touch are those of the template, but joints may have broken since
+	p->counters.joints_dirty = p->counters.joints + p->excluded > 0 ? INT32_MAX : 0;
+	TRY(b->f->write(b, POOL_counters, 0, 1, &p->counters));
+	set_duties(p, head);
+	take_host(world, head, row);
+	Counters counters; // this read also stores the counters in the backend, and reports failed writes
+	return b->f->read(b, POOL_counters, 0, 1, &counters);
+}
+
+scree_status world_take_row(scree_world* world, const char* function, const Template* from, const char* row)
+{
+	RowHead head;
+	memcpy(&head, row, sizeof head);
+	char* aligned = scree_allocate((size_t)head.bytes);
+	if (!aligned)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a state of %llu bytes", function,
+		            (unsigned long long)head.bytes);
+	memcpy(aligned, row, (size_t)head.bytes);
+	scree_status status = world_note(world, take_aligned(world, from, &head, aligned));
+	scree_release(aligned);
+	return status;
+}

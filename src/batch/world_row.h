@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// world_row.h -- declares rows: the state of one world of a batch as bytes, without addresses.
+//
+// A row has a head and, for each pool of bodies, collidables, contacts and joints that outlives a step, the items of
+// the world. Indices are those within the world, and kept values of constraints are at their slots, as in a spare bay.
+// Contact slots behind the last one in use are left out, so a row fits bays with any number of slots. Numbers are
+// little-endian.
+#ifndef WORLD_ROW_H
+#define WORLD_ROW_H
+#include "batch/template.h"
+
+enum // kinds of items of a row
+{
+	ROW_BODIES,
+	ROW_COLLIDABLES,
+	ROW_CONTACTS,
+	ROW_JOINTS,
+	ROW_KINDS
+};
+
+typedef struct // 128 bytes: the head of a row
+{
+	uint64_t magic;       // ROW_MAGIC
+	uint64_t version;     // row_version
+	uint64_t checksum;    // checksum of the bytes after this member
+	uint64_t fingerprint; // Template.fingerprint
+	uint64_t bytes;       // size of the row
+	int count[ROW_KINDS]; // numbers of items
+	float dt, h;          // s: the last step with dt above 0, and its substeps; 0 if there was none
+	int surfaces_changed; // 1 if surfaces of contacts may have to be computed again
+	int unused;
+	BayState state;
+	uint64_t reserved; // 0
+} RowHead;
+
+#define ROW_MAGIC 0x776f726565726373u // "screerow"
+
+// Returns the kind of the items of a pool of a row, -1 for a pool that rows do not contain: positions in lists and
+// layouts, values that are zero between steps, and what the user has read.
+int row_kind(PoolId pool);
+
+// Returns the version of rows, which depends on the pools and the types of their items.
+uint64_t row_version(void);
+
+// Returns the size of a row with these numbers of items. Sets at[pool], if `at` is not null, to the first byte of a
+// pool.
+size_t row_layout(const int count[ROW_KINDS], size_t at[POOL_COUNT]);
+
+// Completes a row, whose head has all members but magic, checksum and bytes, and whose pools are written.
+void row_seal(char* row, RowHead* head);
+
+// Reads the head of a row that has at most `bytes` bytes, and checks it. version: row_version. function, number: for
+// messages, the name of the caller and the index of the row.
+scree_status row_open(const char* row, size_t bytes, uint64_t version, const char* function, int number, RowHead* head);
+
+// Clears what is left over from earlier contacts in the free slots among the items of a pool. pair: pool of this name.
+void row_tidy(PoolId pool, char* items, const CollidablePair* pair, int count);
+
+// Sets items that belong to no world, as in a new spare bay.
+void row_fill(PoolId pool, char* items, int count);
+
+// Adds `by` to the attributes of the items of a pool of collidables.
+void row_shift(PoolId pool, char* items, int count, int by);
+
+#endif
