@@ -4,7 +4,8 @@
 #define OUTCOME_H
 #include "scree/scree_mpi.h"
 
-#define MOST_WORLDS    16777216 // maximum number of worlds of a batch
+#define MOST_WORLDS    16777216          // maximum number of worlds of a batch
+#define MOST_ROW       ((size_t)1 << 30) // bytes of a row; a datatype of MPI has a size below 2^31
 #define SENTENCE_BYTES 512
 
 typedef struct

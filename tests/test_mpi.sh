@@ -24,7 +24,7 @@ for ranks in 1 2 3 4; do
 		failures=$((failures + 1))
 		continue
 	}
-	[ "$(wc -l <"$scratch/$ranks")" = 6 ] || { echo "FAILED: $ranks ranks: not six lines"; failures=$((failures + 1)); }
+	[ "$(wc -l <"$scratch/$ranks")" = 7 ] || { echo "FAILED: $ranks ranks: not seven lines"; failures=$((failures + 1)); }
 	diff "$scratch/1" "$scratch/$ranks" || { echo "FAILED: $ranks ranks: other results than one rank"; failures=$((failures + 1)); }
 done
 cat "$scratch/1"

@@ -36,6 +36,12 @@ SCREE_API scree_status scree_mpi_hash(scree_batch* batch, MPI_Comm comm, uint64_
 SCREE_API scree_status scree_mpi_copy_rows(MPI_Comm comm, int count, const int64_t* sources, size_t row_bytes,
                                            const void* from, void* to);
 
+// Copies states of worlds between ranks, and within them: world k of this rank gets the state of the world with the global number
+// sources[k], as it was before the call, with its hash. sources: a number for each world of the batch, 0 to the number of all worlds minus
+// 1; a world may be the source of many, and its own. Collective. The template of each world must fit the one of its source, as for
+// scree_batch_load. On failure some worlds may have their new state, if sources and memory were not the reason.
+SCREE_API scree_status scree_mpi_copy_worlds(scree_batch* batch, MPI_Comm comm, const int64_t* sources);
+
 #ifdef __cplusplus
 }
 #endif

@@ -117,6 +117,31 @@ static void check_rows(scree_batch* batch, int64_t first, int count)
 	OK(scree_mpi_copy_rows(MPI_COMM_WORLD, 0, NULL, 8, NULL, NULL));
 }
 
+// Copies the states of worlds of the same template from sources that are drawn, and steps on. Sources and hashes are known to
+// all ranks.
+static void check_worlds(scree_batch* batch, int64_t first, int count)
+{
+	int64_t sources[WORLDS];
+	uint64_t own[WORLDS] = {0}, before[WORLDS], after[WORLDS], sum;
+	OK(scree_batch_get_hashes(batch, own + first));
+	CHECK(MPI_Allreduce(own, before, WORLDS, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD) == MPI_SUCCESS);
+	for (int k = 0; k < count; ++k)
+	{
+		const int64_t world = first + k;
+		sources[k] = draw(world, STEPS + 1) % WORLDS;
+		while (draw(sources[k], -1) % 2 != draw(world, -1) % 2)
+			sources[k] = (sources[k] + 1) % WORLDS;
+	}
+	OK(scree_mpi_copy_worlds(batch, MPI_COMM_WORLD, sources));
+	OK(scree_batch_get_hashes(batch, after));
+	for (int k = 0; k < count; ++k)
+		CHECK(after[k] == before[sources[k]]);
+	OK(scree_batch_step(batch, 1.0f / 60.0f, 4, 5));
+	OK(scree_mpi_hash(batch, MPI_COMM_WORLD, &sum));
+	if (rank == 0)
+		printf("worlds: sum %016" PRIx64 "\n", sum);
+}
+
 // Checks that a call failed with this status, and with a sentence that contains `text` and names the last rank.
 static void refused(scree_status found, scree_status expected, const char* text)
 {
@@ -144,6 +169,26 @@ static void check_failures(scree_batch* batch)
 	        "count is -1, must be from 0 to 16777216");
 	refused(scree_mpi_copy_rows(MPI_COMM_WORLD, 1, &good, last ? 0 : 8, &row, &made), SCREE_ERROR_INVALID,
 	        "row_bytes is 0, must be from 1 to");
+	int64_t sources[WORLDS], begin, more;
+	int worlds;
+	OK(scree_mpi_share(MPI_COMM_WORLD, WORLDS, &begin, &worlds));
+	for (int k = 0; k < worlds; ++k)
+		sources[k] = begin + k;
+	more = sources[worlds - 1];
+	sources[worlds - 1] = last ? WORLDS : more;
+	refused(scree_mpi_copy_worlds(batch, MPI_COMM_WORLD, sources), SCREE_ERROR_INVALID, "is 11, must be from 0 to 10");
+	sources[worlds - 1] = more;
+	refused(scree_mpi_copy_worlds(last ? NULL : batch, MPI_COMM_WORLD, sources), SCREE_ERROR_INVALID, "batch is null");
+	refused(scree_mpi_copy_worlds(batch, MPI_COMM_WORLD, last ? NULL : sources), SCREE_ERROR_INVALID,
+	        "sources is null");
+	OK(scree_mpi_copy_worlds(batch, MPI_COMM_WORLD, sources)); // no world needs a row
+	// the last world of the last rank gets a state of the other template
+	int64_t other = 0;
+	while (draw(other, -1) % 2 == draw(WORLDS - 1, -1) % 2)
+		++other;
+	sources[worlds - 1] = last ? other : more;
+	refused(scree_mpi_copy_worlds(batch, MPI_COMM_WORLD, sources), SCREE_ERROR_INVALID,
+	        "scree_mpi_copy_worlds: scree_batch_load: ");
 	if (ranks > 1)
 	{
 		CHECK(scree_mpi_copy_rows(MPI_COMM_WORLD, 1, &good, last ? 4 : 8, &row, &made) == SCREE_ERROR_INVALID);
@@ -193,6 +238,7 @@ int main(int argument_count, char** arguments)
 	scree_batch* batch = make_batch(first, count);
 	check_steps(batch, first, count);
 	check_rows(batch, first, count);
+	check_worlds(batch, first, count);
 	check_failures(batch);
 	scree_batch_destroy(batch);
 	MPI_Finalize();
