@@ -48,12 +48,12 @@ static void load(Outcome* o, scree_batch* batch, const Exchange* x, const int64_
 
 static void copy(Outcome* o, MPI_Comm comm, Exchange* x, scree_batch* batch, const int64_t* sources)
 {
-	const ExchangeNeeds needs = {scree_batch_get_worlds(batch), sources, scree_batch_get_row_bytes(batch),
+	const ExchangeNeeds needs = {scree_batch_get_worlds(batch), sources, scree_batch_get_state_bytes(batch),
 	                             .leaves_own = true};
 	if (!batch || !sources)
 		outcome_fail(o, SCREE_ERROR_INVALID, "%s is null", batch ? "sources" : "batch");
 	else if (needs.row_bytes > MOST_ROW)
-		outcome_fail(o, SCREE_ERROR_INVALID, "a row of batch has %zu bytes, may have %zu", needs.row_bytes, MOST_ROW);
+		outcome_fail(o, SCREE_ERROR_INVALID, "the state of a world has %zu bytes, may have %zu", needs.row_bytes, MOST_ROW);
 	if (!exchange_begin(o, comm, x, &needs))
 		return;
 	save(o, batch, x);
