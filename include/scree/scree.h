@@ -2419,8 +2419,7 @@ typedef struct scree_batch_def
 	int worlds;    // number of worlds, 1 to 16,777,216; default 1
 	// Array of template_count worlds, at least one. They are copied, so the program may change or destroy them. Each has at
 	// most 4,096 bodies, collidables, contacts and joints; scree_world_def.sleep is false; there are no fields, sensors, pending
-	// targets, or contacts that need approval. All have the same gravity, tuning and length of the last substep. A template
-	// with paths, or with pairs of materials, must be the only one.
+	// targets, or contacts that need approval. All have the same tuning.
 	scree_world** templates;
 	int template_count;
 	const int* template_of; // for each world, the index of its template; null (default): world i has template i modulo
@@ -2456,15 +2455,19 @@ SCREE_API void scree_batch_destroy(scree_batch* batch);
 SCREE_API scree_status scree_batch_step(scree_batch* batch, float dt, int substeps, int steps);
 
 // Puts worlds back to the states of their templates. Worlds that were paused then run. mask: one byte per world, other than 0
-// for each world to reset; null: all worlds. If a template with joints has been stepped, the substeps of its last step and of the last step of the
-// batch must have equal lengths, otherwise this fails with SCREE_ERROR_INVALID.
+// for each world to reset; null: all worlds. Gravity set by scree_batch_set_gravity stays.
 SCREE_API scree_status scree_batch_reset(scree_batch* batch, const uint8_t* mask);
 
 // Pauses worlds: they are not stepped until a later call has byte 0 for them, or they are reset. They cost no time. mask: one
 // byte per world, other than 0 for each world to pause; all other worlds run, also those that were paused because they had too
-// many contacts; null: all worlds run. The substeps of the last step of a world with joints that was paused, and of the last
-// step of the batch, must have equal lengths when the world runs again, otherwise this fails with SCREE_ERROR_INVALID.
+// many contacts; null: all worlds run.
 SCREE_API scree_status scree_batch_pause(scree_batch* batch, const uint8_t* mask);
+
+// Sets the gravity of each world from the next step on, m/s^2: as scree_world_set_gravity does for a world alone. It stays
+// until it is set again, also when worlds are reset. gravity: array with one finite vector per world, which is copied; in the
+// unit of length of the world's template; null: worlds have the gravity of their templates, as at first. On failure no gravity
+// changes.
+SCREE_API scree_status scree_batch_set_gravity(scree_batch* batch, const scree_vec* gravity);
 
 typedef struct
     scree_batch_counters // counters of a world; all but crowded are those of scree_counters, for the world alone
@@ -2497,14 +2500,13 @@ SCREE_API scree_status scree_batch_save(scree_batch* batch, const int32_t* world
 // Puts `count` different worlds into states, so that they have the hashes of the saved worlds. State k begins at byte
 // k * state_bytes of `states`; if state_bytes is 0, all worlds get the first state. States may come from another batch,
 // device or process with the same version of the library; the template of each world must have the structure and the
-// settings of the one of the saved world, and may be in any state. Fails with SCREE_ERROR_INVALID, and changes nothing,
-// if a state is damaged or does not fit, or if it has joints and the substeps of its last step and of the last step of
-// the batch have different lengths.
+// settings of the one of the saved world, and may be in any state. Gravity is not part of a state: a world keeps
+// its own. Fails with SCREE_ERROR_INVALID, and changes nothing, if a state is damaged or does not fit.
 SCREE_API scree_status scree_batch_load(scree_batch* batch, const int32_t* worlds, int count, const void* states,
                                         size_t state_bytes);
 
 // Creates an ordinary world with the state and the hash of a world of a batch. def: device and threads, as for
-// scree_world_clone; null: a CPU with one thread. Handles of the template are valid in it. Events of the last step, and
+// scree_world_clone; null: a CPU with one thread. Handles of the template are valid in it. It has the gravity of the world. Events of the last step, and
 // contact details, are not part of the state. The caller owns *made and destroys it with scree_world_destroy. On
 // failure *made is null.
 SCREE_API scree_status scree_batch_extract(scree_batch* batch, int world, const scree_world_def* def,

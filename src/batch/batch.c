@@ -14,6 +14,9 @@
 #include <stdatomic.h>
 #include <string.h>
 
+// maximum number of templates with pairs of materials: the index of the last row of the last table is below 2^30
+#define MOST_TABLES 32000
+
 #define BLOCK_ITEMS 1024 // number of bodies of a block on a CPU, whose pools then fill about half of an L2 cache
 
 typedef struct
@@ -65,39 +68,35 @@ scree_status batch_each(scree_batch* batch, BlockWork* work, const void* context
 	return job.status;
 }
 
-static bool moves_alike(const Template* a, const Template* b)
-{
-	return a->request.gravity.x == b->request.gravity.x && a->request.gravity.y == b->request.gravity.y &&
-	       tuning_equal(&a->request.tuning, &b->request.tuning) && a->pipeline.step.h == b->pipeline.step.h;
-}
-
 static scree_status read_templates(scree_batch* batch, const scree_batch_def* def, const char* function)
 {
 	batch->templates = scree_allocate(sizeof *batch->templates * (size_t)def->template_count);
 	if (!batch->templates)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for templates", function);
-	int attributes = 0, pairs = -1, paths = -1;
+	int attributes = 0, samples = 0, tables = 0;
 	for (int t = 0; t < def->template_count; ++t)
 	{
 		Template* made = batch->templates + t;
 		batch->template_count = t + 1;
 		TRY(template_read(def->templates[t], function, t, made));
 		made->fingerprint = fingerprint_of(made);
-		if (!moves_alike(made, batch->templates))
-			return fail(SCREE_ERROR_INVALID, "%s: template %d has another gravity, tuning or substep than template 0",
-			            function, t);
+		if (!tuning_equal(&made->request.tuning, &batch->templates->request.tuning))
+			return fail(SCREE_ERROR_INVALID, "%s: template %d has another tuning than template 0", function, t);
 		int contacts = made->pipeline.counters.alive - made->pipeline.counters.released;
 		if (def->contact_limit > 0 && contacts > def->contact_limit)
 			return fail(SCREE_ERROR_INVALID, "%s: template %d has %d contacts, more than def.contact_limit, %d",
 			            function, t, contacts, def->contact_limit);
-		pairs = made->count[POOL_material_pair] > 0 && pairs < 0 ? t : pairs;
-		paths = made->count[POOL_path_sample] > 0 && paths < 0 ? t : paths;
-		if ((pairs >= 0 || paths >= 0) && t > 0)
-			return fail(SCREE_ERROR_INVALID,
-			            "%s: template %d has pairs of materials or paths, so it must be the only template", function,
-			            pairs >= 0 ? pairs : paths);
-		template_shift(made, attributes);
+		bool pairs = made->count[POOL_material_pair] > 0;
+		if (made->attributes > MAX_ITEMS - attributes || made->count[POOL_path_sample] > MAX_ITEMS - samples ||
+		    tables == MOST_TABLES)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY,
+			            "%s: templates 0 to %d have more than %d attributes or path samples, or %d tables of pairs of "
+			            "materials",
+			            function, t, MAX_ITEMS, MOST_TABLES);
+		tables += pairs;
+		template_shift(made, attributes, samples, pairs ? tables : 0);
 		attributes += made->attributes;
+		samples += made->count[POOL_path_sample];
 	}
 	return SCREE_OK;
 }
@@ -192,6 +191,7 @@ void batch_destroy(scree_batch* batch)
 		channels_close(batch->sets + k);
 	scree_release(batch->templates);
 	scree_release(batch->template_of);
+	scree_release(batch->gravity);
 	scree_release(batch->blocks);
 	scree_release(batch);
 }

@@ -74,7 +74,8 @@ static scree_status leave(Block* block)
 		                              .dirty = p->dirty,
 		                              .surfaces = p->surfaces_changed,
 		                              .presses = p->counters.presses != 0,
-		                              .taut = p->taut != 0};
+		                              .taut = p->taut != 0,
+		                              .lengths = p->lengths_vary};
 		add_copy(block, &count, from, to, row);
 		block->bay_of[row] = to;
 		block->row_of[from] = -1;
@@ -94,6 +95,7 @@ static void add_pending(Block* block, int row, bool resets)
 		p->surfaces_changed |= paused->surfaces;
 		p->counters.presses |= paused->presses;
 		p->taut |= paused->taut;
+		p->lengths_vary |= paused->lengths || paused->h != p->step.h;
 		return;
 	}
 	// joints of the template that have not begun, or that have broken since, change the pairs that never touch
@@ -101,6 +103,7 @@ static void add_pending(Block* block, int row, bool resets)
 	p->surfaces_changed |= from->surfaces_changed;
 	p->taut |= from->taut;
 	p->counters.presses |= from->counters.presses; // Step.presses, in the next step
+	p->lengths_vary |= from->step.h != p->step.h;
 }
 
 // Moves worlds to the first `live` bays, and puts worlds back to their templates.

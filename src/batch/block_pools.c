@@ -36,7 +36,13 @@ static scree_status fill_spare(Block* block, const Template* from, int bay)
 			if (pool_info[pool].per == kinds[k].per && pool_info[pool].role <= STANDING && used[k] > 0)
 				TRY(b->f->write(b, (PoolId)pool, kinds[k].first, used[k], template_item(from, (PoolId)pool, 0)));
 	BayState state = template_state(from);
-	Bay numbers = {from->bodies, from->collidables, from->first_attribute, -1, (int)(from - block->templates), {0}};
+	Bay numbers = {.bodies = from->bodies,
+	               .collidables = from->collidables,
+	               .attribute = from->first_attribute,
+	               .world = -1,
+	               .number = (int)(from - block->templates),
+	               .path_sample = from->first_sample,
+	               .joints = from->joints};
 	TRY(b->f->write(b, POOL_bay, bay, 1, &numbers));
 	return b->f->write(b, POOL_bay_state, bay, 1, &state);
 }
@@ -61,16 +67,33 @@ static scree_status fill_attributes(Block* block, int templates)
 		for (int pool = 0; pool < POOL_COUNT; ++pool)
 			if (pool_info[pool].per == PER_ATTRIBUTE && pool_info[pool].role <= STANDING)
 				TRY(write_pool(block, (PoolId)pool, block->templates[t].first_attribute, block->templates + t));
-	// pairs of materials and paths are those of the only template that has any
+	return SCREE_OK;
+}
+
+// Writes the pairs of materials and the paths of templates that worlds of the block have. Each template with pairs has a
+// table of its own behind an empty one. The tables have as many rows as the largest; new rows of a pool are 0.
+static scree_status fill_tables(Block* block, int templates)
+{
+	int rows = block->pipeline.material_pairs, tables = 0, samples = 0;
 	for (int t = 0; t < templates; ++t)
 	{
 		const Template* from = block->templates + t;
-		if (from->count[POOL_material_pair] > 0)
-			TRY(pipeline_reserve(&block->pipeline, PER_MATERIAL_PAIR, from->count[POOL_material_pair]));
-		TRY(write_pool(block, POOL_material_pair, 0, from));
-		if (from->count[POOL_path_sample] > 0)
-			TRY(pipeline_reserve(&block->pipeline, PER_PATH_SAMPLE, from->count[POOL_path_sample]));
-		TRY(write_pool(block, POOL_path_sample, 0, from));
+		if (block->spare_of[t] < 0)
+			continue;
+		tables = from->material_table > tables ? from->material_table : tables;
+		samples = from->first_sample + from->count[POOL_path_sample];
+	}
+	if (rows > 0)
+		TRY(pipeline_reserve(&block->pipeline, PER_MATERIAL_PAIR, (tables + 1) * rows));
+	if (samples > 0)
+		TRY(pipeline_reserve(&block->pipeline, PER_PATH_SAMPLE, samples));
+	for (int t = 0; t < templates; ++t)
+	{
+		const Template* from = block->templates + t;
+		if (block->spare_of[t] < 0)
+			continue;
+		TRY(write_pool(block, POOL_material_pair, from->material_table * rows, from));
+		TRY(write_pool(block, POOL_path_sample, from->first_sample, from));
 	}
 	return SCREE_OK;
 }
@@ -237,6 +260,7 @@ scree_status block_fill(Block* block)
 	Backend* b = block->backend;
 	Pipeline* p = &block->pipeline;
 	TRY(fill_attributes(block, block->template_count));
+	TRY(fill_tables(block, block->template_count));
 	TRY(fill_excluded(block));
 	TRY(fill_chains(block));
 	TRY(fill_empty(block));

@@ -139,7 +139,7 @@ static void write_head(Staged* s, int n, int world)
 	*head = (RowHead){.version = s->work->version,
 	                  .fingerprint = s->templates[n]->fingerprint,
 	                  .dt = p->step.dt,
-	                  .h = paused ? paused->h : p->step.h,
+	                  .h = s->states[n].substep,
 	                  .surfaces_changed = paused ? paused->surfaces : p->surfaces_changed,
 	                  .state = s->states[n]};
 	head->state.crowded = 0;
@@ -222,24 +222,6 @@ scree_status block_save(Block* block, const RowWork* work)
 	return status;
 }
 
-// Returns whether the impulses of the joints of a row are those of substeps as long as those of the block. Steps would
-// otherwise scale them as those of other worlds. A block that has made no step takes the length of the first row. A paused
-// world fits; the call that resumes it checks its length.
-static bool length_fits(const Block* block, const RowHead* head, int world)
-{
-	float now = block->pipeline.step.h;
-	return !runs(block, world) || head->count[ROW_JOINTS] == 0 || head->h == 0.0f || now == 0.0f || head->h == now;
-}
-
-static void take_length(Block* block, const RowHead* head)
-{
-	Step* step = &block->pipeline.step;
-	if (step->h != 0.0f || head->count[ROW_JOINTS] == 0)
-		return;
-	step->dt = head->dt;
-	step->h = head->h;
-}
-
 scree_status block_check(Block* block, const RowWork* work)
 {
 	int count;
@@ -262,10 +244,6 @@ scree_status block_check(Block* block, const RowWork* work)
 			return fail(SCREE_ERROR_INVALID,
 			            "%s: state %d has %d slots for contacts, but worlds of the batch have at most %d contacts",
 			            work->function, number, head.count[ROW_CONTACTS], block->pipeline.bay_limit);
-		if (!length_fits(block, &head, world))
-			return fail(SCREE_ERROR_INVALID,
-			            "%s: state %d has joints and substeps of %s s, but the last step of the batch had %s s",
-			            work->function, number, decimal(head.h).text, decimal(block->pipeline.step.h).text);
 	}
 	return SCREE_OK;
 }
@@ -299,14 +277,15 @@ static void add_flags(Block* block, const RowHead* head, int row)
 		                              .dirty = dirty,
 		                              .surfaces = head->surfaces_changed != 0,
 		                              .presses = head->state.presses != 0,
-		                              .taut = head->state.taut_seen != 0};
+		                              .taut = head->state.taut_seen != 0,
+		                              .lengths = true};
 		return;
 	}
 	p->dirty |= dirty;
 	p->surfaces_changed |= head->surfaces_changed != 0;
 	p->taut |= head->state.taut_seen;
 	p->counters.presses |= head->state.presses;
-	take_length(block, head);
+	p->lengths_vary |= head->state.substep != p->step.h;
 }
 
 // Writes the values of the worlds in the spare bays.

@@ -12,6 +12,7 @@ typedef struct // values that a paused world needs when it runs again
 {
 	float h;                             // s: substep of its last step
 	bool dirty, surfaces, presses, taut; // Pipeline.dirty, surfaces_changed, counters.presses, taut when it was paused
+	bool lengths;                        // and lengths_vary, so that h may be that of other worlds
 } Paused;
 
 typedef struct
@@ -39,7 +40,12 @@ typedef struct
 	    first_crowded;      // worlds paused in the last call of block_step since they were crowded: number, first row
 	const ChannelSet* sets; // lists of channels of the batch, CHANNEL_LISTS of them; null before any was bound
 	ChannelList lists[CHANNEL_LISTS];
-	float* converted; // room for rows of a list that are converted or gathered
+	float* converted;         // room for rows of a list that are converted or gathered
+	const scree_vec* gravity; // m/s^2, for each world of the batch; null: that of the templates
+	BayGravity* gravity_rows; // room for one row per world, once worlds have had different gravity
+	bool gravity_changed;     // true: the gravity of some world may have changed since the last step
+	float gravity_dt;         // s: length of the step for which the rows were computed
+	int gravity_substeps;     // and its number of substeps
 } Block;
 
 static inline const Template* block_template(const Block* block, int row)

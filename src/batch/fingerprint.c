@@ -72,10 +72,8 @@ static Word64 hash_joint_data(Word64 h, JointData data)
 static Word64 hash_settings(Word64 h, const StepRequest* request)
 {
 	const scree_tuning* tuning = &request->tuning;
-	const float values[] = {request->gravity.x,         request->gravity.y,
-	                        tuning->contact_hertz,      tuning->contact_damping_ratio,
-	                        tuning->contact_push_speed, tuning->restitution_threshold,
-	                        tuning->max_speed};
+	const float values[] = {tuning->contact_hertz, tuning->contact_damping_ratio, tuning->contact_push_speed,
+	                        tuning->restitution_threshold, tuning->max_speed};
 	return hash_bytes(h, values, sizeof values);
 }
 

@@ -157,6 +157,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	made->contacts = c->contacts;
 	made->joints = c->joints;
 	made->hidden = world_hidden_hash(world);
+	made->length_unit = world->def.length_unit;
 	read_settings(world, made);
 	size_t kinematics = (size_t)world->kinematic_count;
 	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));
@@ -180,12 +181,17 @@ BayState template_state(const Template* from)
 	                  .joints_dirty = c->joints_dirty && from->contacts > 0,
 	                  .penetration = c->penetration,
 	                  .joint_gap = c->joint_gap,
-	                  .nonfinite = c->nonfinite};
+	                  .nonfinite = c->nonfinite,
+	                  .substep = from->pipeline.step.h};
 }
 
-void template_shift(Template* made, int first)
+void template_shift(Template* made, int first, int sample, int table)
 {
 	made->first_attribute = first;
+	made->first_sample = sample;
+	made->material_table = table;
+	for (int k = 0; k < made->attributes; ++k)
+		made->image.rule[k].material += table * MATERIALS;
 	for (int k = 0; k < made->collidables; ++k)
 	{
 		made->image.collidable_attribute[k] += first;

@@ -2,6 +2,7 @@
 // world_block.c -- steps the worlds of a batch that share pools: all of them on a GPU, some of them for a worker of a CPU.
 #include "batch/world_block.h"
 #include "batch/block_channels.h"
+#include "batch/block_gravity.h"
 #include "batch/block_places.h"
 #include "batch/block_pools.h"
 #include "platform/error.h"
@@ -86,6 +87,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 	TRY(bays_open(p, &sizes));
 	block->request.contact_limit = 0;
 	block->request.kinematics = block->kinematics;
+	block->gravity_changed = true;
 	TRY(block_fill(block));
 	return block_reset(block, NULL);
 }
@@ -99,6 +101,7 @@ void block_close(Block* block)
 	scree_release(block->spare_of);
 	block_places_close(block);
 	scree_release(block->converted);
+	scree_release(block->gravity_rows);
 	*block = (Block){.first = 0};
 }
 
@@ -155,7 +158,10 @@ static scree_status step_once(Block* block, bool first)
 		TRY(pause_crowded(block));
 	}
 	if (block->request.dt > 0.0f)
+	{
 		p->step = step_constants(p, &block->request); // the next step compares its substeps with those of this one
+		p->lengths_vary = false;
+	}
 	return SCREE_OK;
 }
 
@@ -166,6 +172,7 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 	block->crowded = 0;
 	if (steps == 0)
 		return SCREE_OK;
+	TRY(block_gravity(block));
 	TRY(block_apply_inputs(block));
 	for (int k = 0; k < steps; ++k)
 	{

@@ -38,7 +38,7 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 {
 	Real row[8], zero = splat(0.0f);
 	gather_rows8((GLOBAL float*)p->motion, body, row);
-	Vec gravity = vec(splat(p->step.gravity_x), splat(p->step.gravity_y));
+	Vec gravity = gravity_of(p, body);
 	Real gained = flush_below(p->step.dt * p->step.dt * vec_dot(gravity, gravity), ABSORBS);
 	Int supported = (vec_dot(b.v, b.v) < gained) & (gather_int(p->touching, body) > 1);
 	Vec fall =

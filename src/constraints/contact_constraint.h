@@ -7,6 +7,7 @@
 // Erin Catto, Solver2D, 2024: a bias pass and a relax pass per substep ("soft step").
 #ifndef CONTACT_CONSTRAINT_H
 #define CONTACT_CONSTRAINT_H
+#include "constraints/bay_gravity.h"
 #include "constraints/constraint.h"
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
@@ -162,9 +163,9 @@ typedef struct // goal of a point's impulse: velocity bias, m/s; softness as in 
 
 // Returns the goal of a point with separation s, m. soft: 1 in bias; relax (0) ignores the overlap, and so removes the
 // velocity of the push. fixed: mask of lanes in which one body cannot move; their contacts are firmer, so nothing sinks
-// into the ground. exact: 1 if other contacts of the bodies are solved together with it; then all of the overlap is
-// firm.
-INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exact)
+// into the ground. depth: m, Softness.depth. exact: 1 if other contacts of the bodies are solved together with it; then the
+// whole overlap is firm, and depth is not used.
+INLINE PairGoal pair_goal(Real s, Int fixed, Real depth, const Step* step, int soft, int exact)
 {
 	Int apart = s >= splat(TINY);
 
@@ -181,7 +182,6 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	Real rate = blend(splat(step->pair.mass_scale * step->pair.bias_rate),
 	                  splat(step->fixed.mass_scale * step->fixed.bias_rate), fixed);
 	Real firm = blend(splat(step->pair.firm), splat(step->fixed.firm), fixed);
-	Real depth = blend(splat(step->pair.depth), splat(step->fixed.depth), fixed);
 	Real push = rate * (s + firm * (exact ? s : maximum(s, -depth))), most = splat(-step->push_speed);
 	Real leak = blend(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
 	Int limited = push < most;
@@ -213,17 +213,18 @@ INLINE Real pair_cross(const ContactArms* c)
 // Solved one after the other, the points would turn a box in each pass, and relax would not remove all velocity of a
 // push. gap: separations, m; mass: effective masses, kg. In relax, a point that will bounce but has not touched yet
 // (pair_waits) gets no impulse; otherwise it would bounce too early, or not at all.
-INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], const Step* step, int soft,
+INLINE void pair_normals(const Pools* p, int i, ContactArms* c, const Real gap[2], const Real mass[2], int soft,
                          const Real rebound[2], Real impulse[2])
 {
+	const Step* step = &p->step;
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
-	Real zero = splat(0.0f), lever_a[2], lever_b[2];
+	Real zero = splat(0.0f), depth = soft ? depth_of(p, i, fixed) : zero, lever_a[2], lever_b[2];
 	// change, N s: change of an impulse if the other impulse stays the same; yield, kg: `change` per m/s of approach
 	Real change[2], yield[2];
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
-		PairGoal goal = pair_goal(gap[k], fixed, step, soft, 0);
+		PairGoal goal = pair_goal(gap[k], fixed, depth, step, soft, 0);
 		lever_a[k] = vec_cross(c->ra[k], c->n);
 		lever_b[k] = vec_cross(c->rb[k], c->n);
 		Real approach = vec_dot(vec_sub(c->b.v, c->a.v), c->n) + (c->b.w * lever_b[k] - c->a.w * lever_a[k]);
@@ -434,7 +435,7 @@ INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactA
 		pair_meet(p, i, c, ready->gap[0], ready->gap[1], u->normal_mass1, u->normal_mass2, &u->normal_impulse1,
 		          &u->normal_impulse2);
 	Real mass[2] = {u->normal_mass1, u->normal_mass2}, impulse[2] = {u->normal_impulse1, u->normal_impulse2};
-	pair_normals(c, ready->gap, mass, &p->step, 1, ready->gap, impulse);
+	pair_normals(p, i, c, ready->gap, mass, 1, ready->gap, impulse);
 	u->normal_impulse1 = impulse[0];
 	u->normal_impulse2 = impulse[1];
 }
@@ -457,7 +458,7 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 	gaps[1] = held ? held->gap[1] : pair_gap(c, 1, u->separation2);
 	masses[0] = held ? u->normal_mass1 : pair_mass(c, 0, c->n);
 	masses[1] = held ? u->normal_mass2 : pair_mass(c, 1, c->n);
-	pair_normals(c, gaps, masses, &p->step, 0, rebound, impulse);
+	pair_normals(p, i, c, gaps, masses, 0, rebound, impulse);
 	u->normal_impulse1 = impulse[0];
 	u->normal_impulse2 = impulse[1];
 

@@ -2,11 +2,11 @@
 // joint_pass.h -- executes a pass over a joint: a part that depends on positions only, then one that needs velocities.
 #ifndef JOINT_PASS_H
 #define JOINT_PASS_H
+#include "constraints/bay_gravity.h"
 #include "constraints/contact_constraint.h"
 #include "constraints/coupling.h"
 #include "constraints/joint_locks.h"
 #include "constraints/path_constraint.h"
-#include "pools/bays.h"
 
 #define JOINT_CARRIES 1.5f // maximum factor by which the bound of a joint's warm start grows from step to step
 
@@ -78,7 +78,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
 	if (p->step.h_ratio != 1.0f) // the length of the substep has changed: forces stay the same, impulses do not
-		joint_scale(p, i, u, splat(p->step.h_ratio));
+		joint_scale(p, i, u, h_ratio_of(p, i));
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
 	joint_tautens(p, i, u, c, j.push);

@@ -68,7 +68,8 @@ INLINE float path_first_lap(const PathCurve* curve, float near, float along)
 INLINE PathFoot path_follow(const Pools* p, int slot, PathCount* count)
 {
 	const GLOBAL JointData* data = p->joint_data + slot;
-	PathCurve curve = path_curve(p->path_sample + (int)data->path_first, (int)data->path_segments);
+	PathCurve curve =
+	    path_curve(p->path_sample + (bay_path(p, slot) + (int)data->path_first), (int)data->path_segments);
 	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME(0), data->body_a, vec(0.0f, 0.0f));
 	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME(1), data->body_b, vec(0.0f, 0.0f));
 	Vec anchor = vec_turn_back(a.turn, joint_gap(&a, &b));

@@ -3,8 +3,8 @@
 // Time is a share of the step, from 0 to 1, so velocities are in meters and radians per step.
 #ifndef SWEEP_CLOSING_H
 #define SWEEP_CLOSING_H
+#include "constraints/bay_gravity.h"
 #include "dialect/finite.h"
-#include "pools/pools.h"
 
 #define SWEEP_REST (0.03f * LINEAR_SLOP) // m per step: motions and approaches slower than this count as rest
 #define SWEEP_SLOP LINEAR_SLOP // m per step: a loaded pair that approaches more slowly than this keeps its manifold
@@ -54,12 +54,12 @@ INLINE Real sweep_grain(const Step* step, Int moved) { return step->small ? swee
 INLINE Real sweep_room(const Step* step, Int moved) { return sweep_grain(step, moved >> GRAIN_LEVELS); }
 
 // m: Returns the separation below which a pair has points: SPECULATIVE_DISTANCE, less for small bodies, but at least
-// the distance that gravity closes in a step.
-INLINE Real sweep_within(const Step* step, Int moved)
+// the distance that gravity closes in a step. body: one of the pair, for the gravity of its world.
+INLINE Real sweep_within(const Pools* p, Int moved, int body)
 {
-	if (!step->small)
+	if (!p->step.small)
 		return splat(SPECULATIVE_DISTANCE);
-	return maximum(SPECULATIVE_DISTANCE * sweep_room(step, moved), splat(step->fall));
+	return maximum(SPECULATIVE_DISTANCE * sweep_room(&p->step, moved), splat(fall_of(p, body)));
 }
 
 // Returns one member of the attributes `shape`, an index per lane. member: address of this member in attribute 0.
@@ -119,13 +119,14 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 
 // Sets the tolerances of a pair. If one of two fast bodies is stopped within the step, they may meet although they do
 // not approach. So the pair has points up to the distance that either body moves, but at most SPECULATIVE_DISTANCE.
-INLINE void sweep_fine(const Step* step, Closing* c, Int moved)
+// body: as in sweep_within.
+INLINE void sweep_fine(const Pools* p, Closing* c, Int moved, int body)
 {
-	if (!step->small)
+	if (!p->step.small)
 		return;
 	Real way_a = absolute(c->a.path.x) + absolute(c->a.path.y), way_b = absolute(c->b.path.x) + absolute(c->b.path.y);
-	c->grain = sweep_grain(step, moved);
-	c->within = minimum(maximum(sweep_within(step, moved), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
+	c->grain = sweep_grain(&p->step, moved);
+	c->within = minimum(maximum(sweep_within(p, moved, body), maximum(way_a, way_b)), splat(SPECULATIVE_DISTANCE));
 }
 
 #endif

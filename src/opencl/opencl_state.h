@@ -130,6 +130,7 @@ enum // kernels of bay_solve.cl
 	BAY_COLORS,
 	BAY_HINGES,
 	BAY_JOINTS,
+	BAY_VARIED,
 	BAY_KERNELS
 };
 

@@ -51,6 +51,18 @@ INLINE int bay_ground(const Pools* p, int collidable)
 // Returns the index of a body within its bay.
 INLINE int bay_body(const Pools* p, int i) { return BATCHED(p) ? i - bay_of_body(p, i) * p->step.bays.bodies : i; }
 
+// Returns whether the world of a body has joints.
+INLINE int bay_has_joints(const Pools* p, int body)
+{
+	return BATCHED(p) ? p->bay[bay_of_body(p, body)].joints : p->step.joints;
+}
+
+// Returns the first path sample of the world of a joint.
+INLINE int bay_path(const Pools* p, int slot)
+{
+	return BATCHED(p) ? p->bay[slot >> p->step.bays.joint_bits].path_sample : 0;
+}
+
 // Return the state of the world of a body, of a contact slot or of a joint slot, in a batch.
 INLINE GLOBAL BayState* bay_state_of(const Pools* p, int body) { return p->bay_state + bay_of_body(p, body); }
 INLINE GLOBAL BayState* bay_of_contact(const Pools* p, int slot)

@@ -61,7 +61,7 @@ typedef struct // 16 bytes: properties of an attribute that the kernels for rule
 {
 	float up_x, up_y; // unit vector in the frame of the shape, toward the side from which a one-way platform is solid
 	int one_way;      // 1 for a one-way platform
-	int material;
+	int material;     // below MATERIALS; in a batch plus MATERIALS times the number of the table of its template
 } Rule;
 
 #define MATERIALS 256
@@ -79,7 +79,7 @@ typedef struct // 16 bytes: surface of a pair of materials, which replaces the m
 	int sets;            // MATERIAL_* bits of the values that are set
 } MaterialPair;
 
-// Index of a pair of materials in the pool material_pair. Pairs with the same higher material are adjacent.
+// Index of a pair of materials in the pool material_pair. In a batch the pool has several tables of equal size. Pairs with the same higher material are adjacent.
 #define MATERIAL_PLACE(low, high) ((high) * ((high) + 1) / 2 + (low))
 
 typedef struct // 24 bytes

@@ -69,7 +69,8 @@ typedef struct // bays of the worlds of a batch (bays.h); zeros outside of a bat
 {
 	int worlds;                       // number of worlds; the first bays are for them, and spare bays follow
 	int bodies, collidables;          // numbers of items of a bay
-	int contact_bits, joint_bits;     // binary logarithms of these numbers for contacts and joints
+	short contact_bits, joint_bits;   // binary logarithms of these numbers for contacts and joints
+	int varied;                       // 1 if worlds have different gravity: BayGravity replaces values of Step
 	float body_part, collidable_part; // 1 divided by the number of items of a bay
 } Bays;
 
@@ -79,10 +80,12 @@ typedef struct // 32 bytes: numbers of items of a world of a batch
 	int attribute;           // first attribute of its template
 	int world;               // row of the world in arrays with one row for each world of the block
 	int number;              // number of its template
-	int unused[3];
+	int path_sample;         // first sample of the paths of its template
+	int joints;              // joint slots in use
+	int unused;
 } Bay;
 
-typedef struct // 48 bytes: values of a world of a batch that the counters have in a world alone
+typedef struct // 56 bytes: values of a world of a batch that the counters have in a world alone, or the step
 {
 	int press[2], ways, presses; // Counters.press, ways, presses
 	int taut;                    // Counters.taut
@@ -90,7 +93,16 @@ typedef struct // 48 bytes: values of a world of a batch that the counters have 
 	int joints_dirty;            // 1 if contacts may have to restart because joints changed since the last step
 	int penetration, joint_gap, nonfinite; // Counters.penetration, joint_gap, nonfinite
 	int crowded; // number of contacts that the world needs, if the step was abandoned because they are too many; else 0
+	float substep; // s: Step.h of the last step with dt above 0, 0 if there was none
+	float h_ratio; // as Step.h_ratio
 } BayState;
+
+typedef struct // 20 bytes: values of a world of a batch that depend on its gravity
+{
+	float x, y;                    // m/s^2: as Step.gravity_x, gravity_y
+	float fall;                    // m: as Step.fall
+	float pair_depth, fixed_depth; // m: as Softness.depth of Step.pair and Step.fixed
+} BayGravity;
 
 typedef struct // 24 bytes: counters of a world of a batch, for the user
 {
@@ -107,7 +119,8 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 	float restitution_threshold;
 	float fall;           // m: motion of a resting body by gravity in a step, at most SPECULATIVE_DISTANCE
 	Softness pair, fixed; // softness of contacts between two bodies that can move; softness of other contacts
-	float h_ratio;        // h divided by h of the last step with dt above 0; 1 if dt is 0 or there was no such step
+	float h_ratio;        // h divided by h of the last step with dt above 0; 1 if dt is 0 or there was no such step;
+	                      // 0 in a batch whose worlds differ in it: that of BayState
 	int has_rolling;      // some attribute or pair of materials has restitution, rolling resistance or tangent speed
 	int heavy;            // some body has, or had, a mass above HEAVY_MASS or an inertia of that number
 	int belts;            // some attribute or pair of materials has a tangent speed
@@ -115,7 +128,7 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 	int details;          // 1 if contacts store total impulses and approach speeds for reports
 	int reports;          // some collidable reports touches or hits
 	int rules;            // some contact may be subject to a rule
-	int material_pairs;   // number of used rows of the pool material_pair
+	int material_pairs;   // number of used rows of the pool material_pair; in a batch, of each of its tables
 	int excluded;         // number of used rows of the pool excluded
 	int asks;             // some collidable requires contact approval
 	int request_again;    // 1 to list the contacts of the last step for approval again, because the user did not decide

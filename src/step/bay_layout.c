@@ -83,8 +83,8 @@ scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
 {
 	Backend* b = pipeline->backend;
 	Bays bays = {.worlds = sizes->worlds, .bodies = sizes->bodies, .collidables = sizes->collidables};
-	bays.contact_bits = bits_of(sizes->contacts);
-	bays.joint_bits = bits_of(sizes->joints);
+	bays.contact_bits = (short)bits_of(sizes->contacts);
+	bays.joint_bits = (short)bits_of(sizes->joints);
 	bays.body_part = 1.0f / (float)bays.bodies;
 	bays.collidable_part = 1.0f / (float)bays.collidables;
 	int64_t all = (int64_t)sizes->worlds + sizes->spares;
@@ -178,7 +178,7 @@ scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts)
 	Backend* b = pipeline->backend;
 	Bays *bays = &pipeline->bays, before = *bays;
 	int spares = pipeline->spare_bays;
-	bays->contact_bits = bits_of(contacts);
+	bays->contact_bits = (short)bits_of(contacts);
 	int old = b->capacity[PER_CONTACT], all = bays->worlds + spares;
 	scree_status status = reserve(pipeline, PER_CONTACT, bays_end(bays->worlds, spares, 1 << bays->contact_bits));
 	Int2* moves = status == SCREE_OK ? scree_allocate(sizeof *moves * (size_t)all) : NULL;

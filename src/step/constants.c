@@ -39,16 +39,63 @@
 // substeps.
 #define CONTACT_DEEP (2.0f / 3.0f)
 
-// Source: Erin Catto, Soft Constraints, GDC 2011. firm: multiplier of the frequency in the firm part.
-static Softness softness(float hertz, float ratio, float h, float firm, float gravity)
+typedef struct // frequency of contacts of a kind beyond their firm part, Hz; its multiplier in the firm part
 {
-	float omega = 6.28318531f * hertz, stiffer = firm * firm;
-	float a1 = 2.0f * ratio * firm + h * omega, a2 = h * omega * a1, a3 = 1.0f / (1.0f + a2);
-	return (Softness){.bias_rate = omega / a1,
-	                  .mass_scale = a2 * a3,
-	                  .impulse_scale = a3,
-	                  .firm = stiffer - 1.0f,
-	                  .depth = FIRM_WEIGHTS * gravity / (stiffer * omega * omega)};
+	float hertz, firm;
+} Frequency;
+
+typedef struct // frequencies of contacts between two bodies that can move, and of other contacts
+{
+	Frequency pair, fixed;
+} Frequencies;
+
+// The step must have a length above 0.
+static Frequencies frequencies(const StepRequest* request)
+{
+	float rate = 1.0f / (request->dt / (float)request->substeps);
+	float stiffest = CONTACT_STIFFEST * rate, deepest = CONTACT_DEEP / request->dt;
+	float contact_hertz = request->tuning.contact_hertz, firm = contact_hertz < stiffest ? contact_hertz : stiffest;
+	float soft = CONTACT_SOFT * firm, hertz = soft < deepest ? soft : deepest;
+	float fixed = hertz < firm ? firm : hertz;
+	return (Frequencies){{hertz, firm / hertz * FIRM_PAIR}, {fixed, firm / fixed * FIRM_FIXED}};
+}
+
+// m: Returns Softness.depth. gravity: m/s^2, its magnitude.
+static float firm_depth(Frequency f, float gravity)
+{
+	float omega = 6.28318531f * f.hertz, stiffer = f.firm * f.firm;
+	return FIRM_WEIGHTS * gravity / (stiffer * omega * omega);
+}
+
+// Source: Erin Catto, Soft Constraints, GDC 2011.
+static Softness softness(Frequency f, float ratio, float h, float depth)
+{
+	float omega = 6.28318531f * f.hertz, stiffer = f.firm * f.firm;
+	float a1 = 2.0f * ratio * f.firm + h * omega, a2 = h * omega * a1, a3 = 1.0f / (1.0f + a2);
+	return (Softness){
+	    .bias_rate = omega / a1, .mass_scale = a2 * a3, .impulse_scale = a3, .firm = stiffer - 1.0f, .depth = depth};
+}
+
+// m: Returns the fall of a body in a step, without an upper bound.
+static float fall_in(scree_vec gravity, float dt)
+{
+	return FALL_SHARE * (fabsf(gravity.x) + fabsf(gravity.y)) * dt * dt;
+}
+
+BayGravity step_gravity(const StepRequest* request, scree_vec gravity)
+{
+	float size = sqrtf(gravity.x * gravity.x + gravity.y * gravity.y), fall = fall_in(gravity, request->dt);
+	size = size > FIRM_GRAVITY ? size : FIRM_GRAVITY;
+	BayGravity values = {.x = flush_tiny(gravity.x),
+	                     .y = flush_tiny(gravity.y),
+	                     .fall = flush_tiny(fall < SPECULATIVE_DISTANCE ? fall : SPECULATIVE_DISTANCE)};
+	if (request->dt > 0.0f)
+	{
+		Frequencies f = frequencies(request);
+		values.pair_depth = firm_depth(f.pair, size);
+		values.fixed_depth = firm_depth(f.fixed, size);
+	}
+	return values;
 }
 
 void step_places(Step* step, const Backend* b)
@@ -77,17 +124,10 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	bool moves = request->dt > 0.0f;
 	float dt = request->dt, h = dt / (float)request->substeps, rate = moves ? 1.0f / h : 0.0f;
 
-	float stiffest = CONTACT_STIFFEST * rate, deepest = moves ? CONTACT_DEEP / dt : 0.0f;
-	float firm = tuning->contact_hertz < stiffest ? tuning->contact_hertz : stiffest;
-	float soft = CONTACT_SOFT * firm, hertz = soft < deepest ? soft : deepest;
-	float fixed = hertz < firm ? firm : hertz;
+	Frequencies f = moves ? frequencies(request) : (Frequencies){{0.0f, 0.0f}, {0.0f, 0.0f}};
 	float ratio = tuning->contact_damping_ratio;
-	float gravity = sqrtf(request->gravity.x * request->gravity.x + request->gravity.y * request->gravity.y);
-	gravity = gravity > FIRM_GRAVITY ? gravity : FIRM_GRAVITY;
-
-	float fall = FALL_SHARE * (fabsf(request->gravity.x) + fabsf(request->gravity.y)) * dt * dt;
-
-	bool calm = pipeline->counters.joints == 0 && request->fields == 0 && fall < CALM_FALL;
+	BayGravity gravity = step_gravity(request, request->gravity);
+	bool calm = pipeline->counters.joints == 0 && request->fields == 0 && fall_in(request->gravity, dt) < CALM_FALL;
 
 	// limits the spin to pi per step and pi / 4 per substep: more could look like a rotation in the other direction
 	float turn = 0.785398163f * (float)request->substeps;
@@ -95,17 +135,19 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .dt = dt,
 	    .h = h,
 	    .inv_h = rate,
-	    .h_ratio = moves && pipeline->step.h > 0.0f ? h / pipeline->step.h : 1.0f,
-	    .gravity_x = flush_tiny(request->gravity.x),
-	    .gravity_y = flush_tiny(request->gravity.y),
+	    .h_ratio = moves && pipeline->lengths_vary    ? 0.0f
+	               : moves && pipeline->step.h > 0.0f ? h / pipeline->step.h
+	                                                  : 1.0f,
+	    .gravity_x = gravity.x,
+	    .gravity_y = gravity.y,
 	    .max_speed = tuning->max_speed,
 	    .max_spin = moves ? (turn < 3.14159265f ? turn : 3.14159265f) / dt : 0.0f,
 	    .push_speed = flush_tiny(tuning->contact_push_speed),
-	    .fall = flush_tiny(fall < SPECULATIVE_DISTANCE ? fall : SPECULATIVE_DISTANCE),
+	    .fall = gravity.fall,
 	    .restitution_threshold =
 	        tuning->restitution_threshold > ROOT_ABSORBS ? tuning->restitution_threshold : ROOT_ABSORBS,
-	    .pair = moves ? softness(hertz, ratio, h, firm / hertz * FIRM_PAIR, gravity) : (Softness){0},
-	    .fixed = moves ? softness(fixed, ratio, h, firm / fixed * FIRM_FIXED, gravity) : (Softness){0},
+	    .pair = moves ? softness(f.pair, ratio, h, gravity.pair_depth) : (Softness){0},
+	    .fixed = moves ? softness(f.fixed, ratio, h, gravity.fixed_depth) : (Softness){0},
 	    .has_rolling = pipeline->has_rolling,
 	    .heavy = pipeline->heavy,
 	    .belts = pipeline->belts,

@@ -278,6 +278,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	{
 		pipeline->traffic = traffic_of_solve(&pipeline->counters, request->bodies, request->substeps, &step);
 		pipeline->step = step;
+		pipeline->lengths_vary = false;
 	}
 	pipeline->started = false;
 	TRY(count_trees(pipeline));

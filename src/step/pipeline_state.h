@@ -134,6 +134,7 @@ typedef struct
 	bool bay_joints;              // some world of a batch has joints
 	bool crowded;        // the last step was abandoned, because some worlds of a batch get more contacts than the limit
 	int placed;          // upper bound of Counters.placed
+	bool lengths_vary;   // worlds of a batch differ in BayState.substep
 	double milliseconds; // wall-clock time of the last step, ms
 	double stage_times[STAGE_COUNT]; // ms of each stage in the last step; zeros without timings
 	double query_milliseconds;       // ms of the last queries; 0 without timings

@@ -227,13 +227,16 @@ static bool bays_solve(const Solve* solve)
 {
 	const Bays* bays = &pools.step.bays;
 	bool hinges = !pools.step.springs && !pools.step.couplings && !pools.step.paths;
-	EmulatedKernel kernel = hinges ? EMULATED_bay_solve_hinges : EMULATED_bay_solve_joints;
+	EmulatedKernel kernel = bays->varied         ? EMULATED_bay_solve_varied
+	                        : !pools.step.joints ? EMULATED_bay_solve
+	                        : hinges             ? EMULATED_bay_solve_hinges
+	                                             : EMULATED_bay_solve_joints;
 	task.stride = solve_constraints(solve);
 	task.stream = buffer(&solve_buffers, task.stride * stream_float4s, sizeof(Float4));
 	int live = solve->bodies / bays->bodies;
 	task.bays = least(bay_bodies / bays->bodies, live);
 	note_most(&form_counts.bays, groups_of(live, task.bays));
-	return launch(pools.step.joints ? kernel : EMULATED_bay_solve, groups_of(live, task.bays), bay_group);
+	return launch(kernel, groups_of(live, task.bays), bay_group);
 }
 
 // ---------------------------------------------------------------------------------------------------------------

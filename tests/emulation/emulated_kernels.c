@@ -92,6 +92,7 @@ TILE_BORDER(tile_border_joints)
 BAY_SOLVE(bay_solve)
 BAY_SOLVE(bay_solve_hinges)
 BAY_SOLVE(bay_solve_joints)
+BAY_SOLVE(bay_solve_varied)
 
 static void call_tile_total(const void* arguments)
 {
@@ -146,6 +147,7 @@ static void (*const calls[EMULATED_COUNT])(const void* arguments) = {
     ENTRY(bay_solve),
     ENTRY(bay_solve_hinges),
     ENTRY(bay_solve_joints),
+    ENTRY(bay_solve_varied),
 };
 
 bool emulated_run(EmulatedKernel kernel, const Task* task, int group_count, int group, const Schedule* schedule,

@@ -58,6 +58,7 @@ typedef enum
 	EMULATED_bay_solve,
 	EMULATED_bay_solve_hinges,
 	EMULATED_bay_solve_joints,
+	EMULATED_bay_solve_varied,
 	EMULATED_COUNT
 } EmulatedKernel;
 

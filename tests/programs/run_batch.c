@@ -5,7 +5,9 @@
 #include "step/pipeline_state.h"
 #include <stdlib.h>
 
-#define COPIES  3 // worlds of the batch; the second one is reset once, the last one paused for some steps
+#define COPIES  4 // worlds of the batch; the second one is reset once, the third one paused for some steps
+#define LAST    2 // the copy that is paused, and gets the state of another one
+#define PULLED  3 // the copy that gets another gravity
 #define AGES    7 // steps that are compared
 #define PAUSE   1 // first step without the last copy
 #define RESUME  4 // first step with it again
@@ -32,11 +34,22 @@ typedef struct // the batch of a world, and what leaves it
 	int taken_age;
 } Copies;
 
+// Gives a copy, and the clone that is compared with it, another gravity.
+static scree_status change_gravity(scree_world* pulled, scree_batch* batch)
+{
+	scree_vec gravity[COPIES];
+	for (int k = 0; k < COPIES; ++k)
+		TRY(scree_world_get_gravity(pulled, gravity + k));
+	gravity[PULLED] = (scree_vec){-0.75f * gravity[0].y - 1.0f, 1.5f * gravity[0].x + 0.5f};
+	TRY(scree_batch_set_gravity(batch, gravity));
+	return scree_world_set_gravity(pulled, gravity[PULLED]);
+}
+
 // Saves world 0 at ROW_AGE, and loads it into the last world two steps later. Takes world 1 out after its reset, and puts it
 // back into world 0 later. Returns false if a call fails.
 static bool exchange(Copies* c, int step)
 {
-	const int32_t first = 0, last = COPIES - 1;
+	const int32_t first = 0, last = LAST;
 	size_t bytes = scree_batch_get_state_bytes(c->batch);
 	if (step == ROW_AGE)
 	{
@@ -59,42 +72,49 @@ static bool exchange(Copies* c, int step)
 	return true;
 }
 
-// Returns whether hashes[age] is the hash of each world.
-static bool hashes_agree(Copies* c, const uint64_t* expected)
+// Returns whether hashes[age] is the hash of each world. pulled: hash of the clone of the copy with another gravity, or null.
+static bool hashes_agree(Copies* c, const uint64_t* expected, const uint64_t* pulled)
 {
 	uint64_t hashes[COPIES], hash;
 	if (scree_batch_get_hashes(c->batch, hashes) != SCREE_OK)
 		return true;
 	for (int k = 0; k < COPIES; ++k)
-		if (hashes[k] != expected[c->ages[k]])
+		if (k != PULLED && hashes[k] != expected[c->ages[k]])
 			return false;
+	if (pulled && hashes[PULLED] != *pulled)
+		return false;
 	return !c->taken || scree_world_get_hash(c->taken, &hash) != SCREE_OK || hash == expected[c->taken_age];
 }
 
-// Steps a clone and its copies in a batch. Returns whether their hashes are equal. If one of the two fails, ends without a
-// difference: the limits of contacts differ.
-static bool steps_alike(scree_world* alone, Copies* c)
+// Steps clones and their copies in a batch. Returns whether their hashes are equal. If one of them fails, ends without a
+// difference: the limits of contacts differ. pulled: clone of the copy that gets another gravity. Before its first step,
+// joints of destroyed bodies may still be in its hash.
+static bool steps_alike(scree_world* alone, scree_world* pulled, Copies* c)
 {
-	static const uint8_t mask[COPIES] = {0, 1, 0}, pause[COPIES] = {0, 0, 1};
-	uint64_t expected[AGES];
+	static const uint8_t mask[COPIES] = {0, 1, 0, 0}, pause[COPIES] = {0, 0, 1, 0};
+	uint64_t expected[AGES], last;
 	for (int step = 0; step < AGES; ++step)
 	{
-		if (scree_world_get_hash(alone, expected + step) != SCREE_OK)
+		const uint64_t* other = step > 0 ? &last : NULL;
+		if (scree_world_get_hash(alone, expected + step) != SCREE_OK || scree_world_get_hash(pulled, &last) != SCREE_OK)
 			return true;
-		if (!hashes_agree(c, expected))
+		if (!hashes_agree(c, expected, other))
 			return false;
+		if (step == 1 && change_gravity(pulled, c->batch) != SCREE_OK)
+			return true;
 		if (step == 2 && scree_batch_reset(c->batch, mask) == SCREE_OK)
 			c->ages[1] = 0;
 		if ((step == PAUSE || step == RESUME) && scree_batch_pause(c->batch, step == PAUSE ? pause : NULL) != SCREE_OK)
 			return false;
-		if (!exchange(c, step) || !hashes_agree(c, expected))
+		if (!exchange(c, step) || !hashes_agree(c, expected, other))
 			return false;
 		if (scree_world_step(alone, 1.0f / 60.0f, 4) != SCREE_OK ||
+		    scree_world_step(pulled, 1.0f / 60.0f, 4) != SCREE_OK ||
 		    scree_batch_step(c->batch, 1.0f / 60.0f, 4, 1) != SCREE_OK ||
 		    (c->taken && scree_world_step(c->taken, 1.0f / 60.0f, 4) != SCREE_OK))
 			return true;
 		for (int k = 0; k < COPIES; ++k)
-			c->ages[k] += k < COPIES - 1 || step < PAUSE || step >= RESUME;
+			c->ages[k] += !pause[k] || step < PAUSE || step >= RESUME;
 		++c->taken_age;
 	}
 	return true;
@@ -104,28 +124,34 @@ bool batch_repeat(scree_world* world, const Place* place, int* made)
 {
 	scree_world_def def = scree_world_def_default();
 	scree_batch_def many = scree_batch_def_default();
-	scree_world* alone;
+	scree_world *alone, *pulled;
 	scree_batch* batch;
 	bool alike = true;
 	def.device = "cpu";
 	def.threads = 1;
 	if (scree_world_clone(world, &def, &alone) != SCREE_OK)
 		return true;
+	if (stay_awake(alone) != SCREE_OK || scree_world_clone(alone, &def, &pulled) != SCREE_OK)
+	{
+		scree_world_destroy(alone);
+		return true;
+	}
 	many.worlds = COPIES;
 	many.templates = &alone;
 	many.template_count = 1;
 	many.device = place->device;
 	many.threads = place->threads;
 	many.lanes = place->lanes;
-	if (stay_awake(alone) == SCREE_OK && scree_batch_create(&many, &batch) == SCREE_OK)
+	if (scree_batch_create(&many, &batch) == SCREE_OK)
 	{
 		++*made;
 		Copies c = {.batch = batch};
-		alike = steps_alike(alone, &c);
+		alike = steps_alike(alone, pulled, &c);
 		scree_world_destroy(c.taken);
 		free(c.row);
 		scree_batch_destroy(batch);
 	}
 	scree_world_destroy(alone);
+	scree_world_destroy(pulled);
 	return alike;
 }

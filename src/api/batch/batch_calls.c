@@ -138,23 +138,6 @@ scree_status api_batch_step(scree_batch* batch, float dt, int substeps, int step
 	return SCREE_OK;
 }
 
-// Checks that templates with joints had their last step in substeps as long as those of the batch. Joints that were reset
-// would otherwise scale their impulses in the next step, and other joints would not.
-static scree_status check_lengths(const scree_batch* batch, const char* function, const uint8_t* mask)
-{
-	float now = batch->blocks[0].pipeline.step.h;
-	for (int k = 0; k < batch->worlds; ++k)
-	{
-		const Template* from = batch->templates + batch->template_of[k];
-		float then = from->pipeline.step.h;
-		if ((!mask || mask[k]) && from->joints > 0 && then > 0.0f && then != now)
-			return fail(SCREE_ERROR_INVALID,
-			            "%s: world %d has joints, and its template had substeps of %s s, but the last step had %s s",
-			            function, k, decimal(then).text, decimal(now).text);
-	}
-	return SCREE_OK;
-}
-
 static scree_status reset_block(Block* block, const void* context) { return block_reset(block, context); }
 
 scree_status api_batch_reset(scree_batch* batch, const uint8_t* mask)
@@ -162,7 +145,6 @@ scree_status api_batch_reset(scree_batch* batch, const uint8_t* mask)
 	FLOAT_MODE_HERE;
 	const char* function = "scree_batch_reset";
 	TRY(batch_check(batch, function));
-	TRY(check_lengths(batch, function, mask));
 	TRY(check_inputs(batch, function, CHANNELS_RESET, mask));
 	return batch_note(batch, batch_each(batch, reset_block, mask));
 }
@@ -187,27 +169,6 @@ scree_status api_batch_get_hashes(scree_batch* batch, uint64_t* hashes)
 	return batch_note(batch, batch_each(batch, hash_block, &work));
 }
 
-// Checks that worlds with joints which run again had their last step in substeps as long as those of the batch.
-static scree_status check_paused_lengths(const scree_batch* batch, const char* function, const uint8_t* mask)
-{
-	float now = batch->blocks[0].pipeline.step.h;
-	for (int k = 0; k < batch->block_count; ++k)
-	{
-		const Block* block = batch->blocks + k;
-		for (int row = 0; row < block->worlds; ++row)
-		{
-			float then = block->paused[row].h;
-			if (!block_runs(block, row) && !(mask && mask[block->first + row]) && then > 0.0f && then != now &&
-			    block_template(block, row)->joints > 0)
-				return fail(SCREE_ERROR_INVALID,
-				            "%s: world %d has joints, and had substeps of %s s before it was paused, but the last step "
-				            "had %s s",
-				            function, block->first + row, decimal(then).text, decimal(now).text);
-		}
-	}
-	return SCREE_OK;
-}
-
 static scree_status pause_block(Block* block, const void* context) { return block_pause(block, context); }
 
 scree_status api_batch_pause(scree_batch* batch, const uint8_t* mask)
@@ -215,7 +176,6 @@ scree_status api_batch_pause(scree_batch* batch, const uint8_t* mask)
 	FLOAT_MODE_HERE;
 	const char* function = "scree_batch_pause";
 	TRY(batch_check(batch, function));
-	TRY(check_paused_lengths(batch, function, mask));
 	return batch_note(batch, batch_each(batch, pause_block, mask));
 }
 

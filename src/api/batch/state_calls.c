@@ -137,14 +137,15 @@ scree_status api_batch_load(scree_batch* batch, const int32_t* worlds, int count
 	return load_rows(batch, function, worlds, count, states, state_bytes);
 }
 
-// Makes a world with the structure of a template, and the state of a row.
-static scree_status make_world(const char* function, const Template* from, const scree_world_def* def, const char* row,
-                               scree_world** made)
+// Makes a world with the structure of a template, and the state of a row. gravity: m/s^2.
+static scree_status make_world(const char* function, const Template* from, scree_vec gravity,
+                               const scree_world_def* def, const char* row, scree_world** made)
 {
 	scree_world_def alone = scree_world_def_default();
 	alone.device = "cpu";
 	alone.threads = 1;
 	TRY(scree_world_clone(from->world, def ? def : &alone, made));
+	(*made)->def.gravity = gravity;
 	scree_status status = world_take_row(*made, function, from, row);
 	if (status == SCREE_OK)
 		status = recovery_begin(*made, function); // the state that is kept for recovery is that of the row
@@ -170,8 +171,10 @@ scree_status api_batch_extract(scree_batch* batch, int world, const scree_world_
 	if (!row)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a state of %zu bytes", function, bytes);
 	scree_status status = api_batch_save(batch, &world, 1, row, bytes);
+	const Template* from = batch->templates + batch->template_of[world];
 	if (status == SCREE_OK)
-		status = make_world(function, batch->templates + batch->template_of[world], def, row, made);
+		status =
+		    make_world(function, from, batch->gravity ? batch->gravity[world] : from->request.gravity, def, row, made);
 	scree_release(row);
 	return status;
 }

@@ -9,7 +9,7 @@
 
 #define GROUPS_A_UNIT 4 // number of work-groups per compute unit below which a group gets fewer worlds
 
-static const char* const names[BAY_KERNELS] = {"bay_solve", "bay_solve_hinges", "bay_solve_joints"};
+static const char* const names[BAY_KERNELS] = {"bay_solve", "bay_solve_hinges", "bay_solve_joints", "bay_solve_varied"};
 
 scree_status bay_solve_open(OpenCl* d)
 {
@@ -59,7 +59,8 @@ static cl_int group_worlds(const OpenCl* d, cl_int live)
 scree_status bay_solve_run(OpenCl* d, const Solve* solve)
 {
 	const Step* step = &d->constants.step;
-	Kernel* kernel = &d->bay_kernels[!step->joints ? BAY_COLORS : solve_hinges(d) ? BAY_HINGES : BAY_JOINTS];
+	int which = step->bays.varied ? BAY_VARIED : !step->joints ? BAY_COLORS : solve_hinges(d) ? BAY_HINGES : BAY_JOINTS;
+	Kernel* kernel = &d->bay_kernels[which];
 	cl_int stride = solve_constraints(solve), passes = schedule_passes(solve->substeps, solve->bounces);
 	cl_int live = solve->bodies / step->bays.bodies, bays = group_worlds(d, live);
 	const cl_int* values[] = {&stride, &bays, &solve->substeps, &passes, &solve->bound};

@@ -107,7 +107,7 @@ INLINE void bay_advance(const Pools* p, int substeps, int body, int q, LOCAL Bay
 			base[1] = old.y;
 			base[2] = old.z;
 			base[3] = 0.0f;
-			body_accelerate(&p->step, row, m, base, schedule_first(q));
+			body_accelerate(&p->step, gravity_of(p, body), row, m, base, schedule_first(q));
 			p->base[body] = make_float4(base[0], base[1], base[2], 0.0f);
 		}
 		else
@@ -233,7 +233,7 @@ INLINE_MEET void bay_work(const Pools* p, const BayRange* r, LOCAL BayGroup* g)
 	}
 }
 
-#define BAY_KERNEL(name, specialize)                                                                             \
+#define BAY_KERNEL(name, specialize, alike)                                                                      \
 	__kernel __attribute__((reqd_work_group_size(BAY_GROUP, 1, 1))) void name(                                   \
 	    POOL_ARGUMENTS Step step, __global float4* stream, int stride, int bays, int substeps, int passes,        \
 	    int bound)                                                                                                \
@@ -241,6 +241,7 @@ INLINE_MEET void bay_work(const Pools* p, const BayRange* r, LOCAL BayGroup* g)
 		__local BayGroup g;                                                                                       \
 		Pools pools = {POOL_NAMES step, 0};                                                                       \
 		specialize(pools.step);                                                                                   \
+		alike(pools.step);                                                                                        \
 		BayRange r = {stream, stride, substeps, passes, (int)get_group_id(0) * bays, 0, 0, 0};                    \
 		r.end = min(r.world + bays, pools.counters->contacts >> step.bays.contact_bits);                          \
 		r.first = r.world * step.bays.bodies;                                                                     \
@@ -248,6 +249,7 @@ INLINE_MEET void bay_work(const Pools* p, const BayRange* r, LOCAL BayGroup* g)
 		if (bound < 0 || ((__global const int*)pools.counters)[bound] != 0)                                       \
 			bay_work(&pools, &r, &g);                                                                             \
 	}
-BAY_KERNEL(bay_solve, STEP_CONTACTS)
-BAY_KERNEL(bay_solve_hinges, STEP_HINGES)
-BAY_KERNEL(bay_solve_joints, STEP_JOINTS)
+BAY_KERNEL(bay_solve, STEP_CONTACTS, STEP_ALIKE)
+BAY_KERNEL(bay_solve_hinges, STEP_HINGES, STEP_ALIKE)
+BAY_KERNEL(bay_solve_joints, STEP_JOINTS, STEP_ALIKE)
+BAY_KERNEL(bay_solve_varied, STEP_JOINTS, STEP_JOINTS) // for worlds with different gravity

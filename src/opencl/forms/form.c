@@ -40,8 +40,11 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 		return FORM_LAUNCHES;
 	// few constraints stay in the registers of a relay; its form "tiles" stands for large worlds
 	bool many = d->form == FORM_TILES || (d->form == FORM_ANY && !relay_holds(d, solve));
-	if (many && bay_solve_fits(d, solve))
+	bool varied = d->constants.step.bays.varied; // relay and tiles do not read the gravity of each world
+	if ((many || varied) && bay_solve_fits(d, solve))
 		return FORM_BAYS;
+	if (varied)
+		return FORM_LAUNCHES;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;

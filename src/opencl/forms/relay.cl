@@ -86,7 +86,7 @@ INLINE void relay_finish_pass(const Pools* p, const Relay* r, Side side, int q, 
 	uint ticket = relay_ticket(q + 1, 0);
 	int before = schedule_before(r->substeps, q + 1);
 	if (before == BODY_ACCELERATES)
-		body_accelerate(&p->step, row, m, base, schedule_first(q + 1));
+		body_accelerate(&p->step, gravity_of(p, side.body), row, m, base, schedule_first(q + 1));
 	if (before == BODY_MOVES)
 	{
 		body_move(&p->step, row, m);
@@ -262,6 +262,7 @@ INLINE_MEET void relay_tasks(const Pools* p, const Relay* r, __global float4* st
 		Pools pools = {POOL_NAMES step, 0};                                                                           \
 		Relay r = {mailboxes, substeps, passes, spins};                                                               \
 		specialize(pools.step);                                                                                       \
+		STEP_ALIKE(pools.step);                                                                                       \
 		relay_tasks(&pools, &r, stream, constraints, bound, spread, &fault);                                          \
 	}
 RELAY_KERNEL(relay, STEP_CONTACTS)

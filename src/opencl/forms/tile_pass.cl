@@ -34,7 +34,7 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, LOCA
 		{
 			Float4 old = p->base[body];
 			float base[4] = {old.x, old.y, old.z, 0.0f};
-			body_accelerate(&p->step, row, m, base, schedule_first(q));
+			body_accelerate(&p->step, gravity_of(p, body), row, m, base, schedule_first(q));
 			p->base[body] = make_float4(base[0], base[1], base[2], 0.0f);
 		}
 		else
@@ -185,6 +185,7 @@ INLINE_MEET void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL
 		__local int range[TILE_COLUMNS + 1];                                                                          \
 		Pools pools = {POOL_NAMES step, 0};                                                                           \
 		specialize(pools.step);                                                                                       \
+		STEP_ALIKE(pools.step);                                                                                       \
 		Relay r = {0, substeps, passes, 0};                                                                           \
 		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                  \
 		if (tile_wanted(&pools, bound))                                                                               \
@@ -289,6 +290,7 @@ INLINE_MEET void tile_border_work(const Pools* p, const Relay* r, const Tiles* t
 		Relay r = {mailboxes, substeps, passes, spins};                                                           \
 		Tiles t = {0, 0, 0, table, order, stream, stride, rows};                                                  \
 		specialize(pools.step);                                                                                   \
+		STEP_ALIKE(pools.step);                                                                                   \
 		if (tile_wanted(&pools, bound))                                                                           \
 			tile_border_work(&pools, &r, &t, q, &fault);                                                          \
 	}

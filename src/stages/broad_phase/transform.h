@@ -98,6 +98,8 @@ KERNEL(bay_begin)
 	state->taut_seen = state->taut;
 	if (state->taut)
 		raise_int(&p->counters->taut, 1);
+	state->h_ratio = state->substep > 0.0f ? quotient(p->step.h, state->substep) : 1.0f;
+	state->substep = p->step.h;
 }
 #endif
 
@@ -216,7 +218,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
 		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
 		float travel = absolute(path.x) + absolute(path.y) + swing;
-		float room = sweep_room(&p->step, how), within = sweep_within(&p->step, how);
+		float room = sweep_room(&p->step, how), within = sweep_within(p, how, world_shape.body);
 		if (travel > 0.5f * SWEEP_REST * room)
 			how |= COLLIDABLE_MOVING;
 		if (travel > 0.5f * within)

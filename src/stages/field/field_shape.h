@@ -144,7 +144,7 @@ INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSa
 	if (!(part.area > 0.0f))
 		return;
 	Vec arm = vec_add(t->arm, vec(quotient(part.x, part.area), quotient(part.y, part.area)));
-	Vec gravity = vec(p->step.gravity_x, p->step.gravity_y);
+	Vec gravity = vec(gravity_x_of(p, body), gravity_y_of(p, body));
 	float weight = square_root(vec_dot(gravity, gravity)), width = 2.0f * square_root(part.area * 0.318309886f);
 	if (weight > 0.0f && weight < MOST_FLOAT)
 	{

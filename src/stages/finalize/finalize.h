@@ -37,7 +37,7 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 	int left = between ? PRESS_STEPS : press.left - (press.left > 0 && !press.tight);
 	if (left > 0)
 	{
-		float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
+		float fall = p->step.dt * (absolute(gravity_x_of(p, i)) + absolute(gravity_y_of(p, i)));
 		float most = maximum(bits_float(press.speed), (between ? PRESS_SLOWER : 1.0f) * press.before) + fall;
 		float spin = maximum(press.spun, quotient(most, maximum(p->continuous_body[i].reach, LINEAR_SLOP)));
 		*v = vec_limit(*v, most);
@@ -165,7 +165,7 @@ KERNEL(continuous)
 			atomic_add_int(&p->counters->held, 1);
 		d = vec_scale(stop.share, d);
 		da = stop.share * da;
-		if (continuous_body.parts > 1 || (!pressed && !p->step.joints))
+		if (continuous_body.parts > 1 || (!pressed && !bay_has_joints(p, body)))
 			break;
 		to = vec_add(d, vec_sub(rest, vec_scale(minimum(vec_dot(rest, stop.normal), 0.0f), stop.normal)));
 		turn = pressed ? turn : da;

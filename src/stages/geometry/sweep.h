@@ -42,7 +42,7 @@ INLINE_LONG Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, In
 {
 	Sweep sa = sweep_of(p, a, p->attribute + a.attribute), sb = sweep_of(p, b, p->attribute + b.attribute);
 	Closing closing = sweep_between(a, sa, b, sb);
-	sweep_fine(&p->step, &closing, moved);
+	sweep_fine(p, &closing, moved, a.body);
 	return closing;
 }
 

@@ -269,7 +269,7 @@ RARE int narrow_phase_look(const Pools* p, int i, Word flags)
 	int belt = edge_belt_of(p, CONSTRAINT_CONTACT, i);
 	if (answers)
 		b = narrow_phase_apart(p, a, b);
-	float within = sweep_within(&p->step, moved);
+	float within = sweep_within(p, moved, a.body);
 	Prediction at = narrow_phase_find(p, a, b, answers, far, belt, moved, within, &has_rolling);
 	Int2 features = narrow_phase_inherit(p, i, flags, &at.m);
 	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;

@@ -12,9 +12,9 @@ RARE MaterialPair rule_materials(const Pools* p, int i, int j)
 {
 	MaterialPair pair = {0.0f, 0.0f, 0.0f, 0};
 	int a = p->rule[p->collidable_attribute[i]].material, b = p->rule[p->collidable_attribute[j]].material;
-	int low = a < b ? a : b, high = a < b ? b : a, place = MATERIAL_PLACE(low, high);
+	int low = (a < b ? a : b) % MATERIALS, high = (a < b ? b : a) % MATERIALS, place = MATERIAL_PLACE(low, high);
 	if (place < p->step.material_pairs)
-		pair = p->material_pair[place];
+		pair = p->material_pair[a / MATERIALS * p->step.material_pairs + place];
 	return pair;
 }
 

@@ -145,7 +145,7 @@ LIST_KERNEL(joint_sleep, began, began)
 KERNEL(joint_rescale)
 {
 	if (!p->counters->stalled && p->joint_flags[i] & JOINT_ASLEEP)
-		joint_scale_asleep(p, i, p->step.h_ratio);
+		joint_scale_asleep(p, i, h_ratio_at(p, i));
 }
 
 // Item: a body, for a call of the user between two steps. Wakes it in the next step, or puts it to sleep there.

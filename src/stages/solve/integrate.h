@@ -5,13 +5,15 @@
 // velocity before any impulse (`base`).
 #ifndef INTEGRATE_H
 #define INTEGRATE_H
+#include "constraints/bay_gravity.h"
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
 #include "stages/edit/active.h"
 
 // Adds the acceleration to velocities and, as warm start, the change by constraints in the previous substep. b, m,
 // base: rows of the pools body, motion, base. In the first substep, b contains the warm start and base does not.
-INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base, int first)
+// gravity: m/s^2.
+INLINE void body_accelerate(const Step* step, Vec gravity, Real* b, const Real* m, Real* base, int first)
 {
 	Vec v = vec(b[0], b[1]), contacts = vec_sub(v, vec(base[0], base[1]));
 	Real w = b[2], contacts_w = w - base[2];
@@ -29,8 +31,8 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 		linear = quotient(1.0f, 1.0f + h * m[4]);
 		angular = quotient(1.0f, 1.0f + h * m[5]);
 	}
-	v.x = m[6] * finite_of(linear * v.x + h * (step->gravity_x * m[3] + b[3] * m[0]));
-	v.y = m[7] * finite_of(linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
+	v.x = m[6] * finite_of(linear * v.x + h * (gravity.x * m[3] + b[3] * m[0]));
+	v.y = m[7] * finite_of(linear * v.y + h * (gravity.y * m[3] + b[3] * m[1]));
 	w = number_of(angular * w + h * (b[7] * m[2])); // the limit below makes it finite
 
 	// limits the velocity without the change by constraints: a limited change would not match the stored impulses
@@ -61,7 +63,7 @@ WIDE_KERNEL(integrate_velocity)
 	load_rows8((GLOBAL float*)p->body, i, b);
 	load_rows8((GLOBAL float*)p->motion, i, m);
 	load_rows4((GLOBAL float*)p->base, i, base);
-	body_accelerate(&p->step, b, m, base, p->argument);
+	body_accelerate(&p->step, gravity_of(p, indices(i)), b, m, base, p->argument);
 	store_rows8((GLOBAL float*)p->body, i, b);
 	store_rows4((GLOBAL float*)p->base, i, base);
 }

@@ -34,8 +34,9 @@ WIDE_KERNEL(joint_taut)
 	joint_pose(p, i, &u, &c);
 	joint_sums(p, i, &u, sum);
 	JointPull pull = joint_pull(p, &u, &c, joint_impulse(&c, sum[0], sum[1], splat(0.0f)).push);
-	taut_add(p, ia, &c.a, turn_a, p->step.h_ratio * pull.a);
-	taut_add(p, ib, &c.b, turn_b, p->step.h_ratio * pull.b);
+	Real ratio = h_ratio_of(p, i);
+	taut_add(p, ia, &c.a, turn_a, ratio * pull.a);
+	taut_add(p, ib, &c.b, turn_b, ratio * pull.b);
 }
 
 #endif

@@ -25,7 +25,7 @@ INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 	Real sum[JOINT_COORDINATES];
 	joint_sums(p, chain->begin + spot, &link.u, sum);
 	Vec push = joint_impulse(&link.c, sum[0], sum[1], splat(0.0f)).push;
-	Real h = splat(p->step.h * p->step.h_ratio); // h_ratio, because the impulses are those of the last step
+	Real h = p->step.h * h_ratio_of(p, chain->begin + spot); // h_ratio, because the impulses are those of the last step
 	CHAIN_PUT(p, tension[0], spot, -h * vec_dot(link.c.arm_a, push));
 	CHAIN_PUT(p, tension[1], spot, h * vec_dot(link.c.arm_b, push));
 	CHAIN_PUT_INT(p, body_a, spot, link.ia);

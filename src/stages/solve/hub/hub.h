@@ -163,9 +163,9 @@ INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 
 // Returns whether the rounds end: Newton's step d exceeds HUB_SPEED or is NaN, or it is small compared with the
 // velocity and the velocity that gravity adds in a substep.
-INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
+INLINE int hub_found(const Pools* p, const Hub* h, const float d[3])
 {
-	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
+	float x = p->step.h * gravity_x_of(p, h->body), y = p->step.h * gravity_y_of(p, h->body), most = p->step.max_speed;
 	float fall[3] = {x < most && x > -most ? x : most, y < most && y > -most ? y : most, 0.0f};
 	float most_energy = HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
 	return !hub_bears(d) || hub_energy(h, d) <= (most_energy > ABSORBS ? most_energy : ABSORBS);
@@ -233,7 +233,7 @@ INLINE_MEET void hub_block(const Pools* p, Hub* h, int what, int warm, LOCAL flo
 		else if (round < HUB_ROUNDS)
 		{
 			hub_newton(h, sum, d);
-			found = hub_found(&p->step, h, d);
+			found = hub_found(p, h, d);
 			for (int q = 0; q < 3; ++q)
 				h->now[q] = found ? h->now[q] : h->now[q] + d[q];
 		}

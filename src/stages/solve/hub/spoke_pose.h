@@ -70,7 +70,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 		*bias = -bounce_speed(&p->step, spoke_rebound(p, i, k), load(&contact_rare(p, fall, i), 0), gap);
 		return;
 	}
-	PairGoal goal = pair_goal(gap, s->whole_mass == splat(0.0f), &p->step, what == HUB_SOFT, 1);
+	PairGoal goal = pair_goal(gap, s->whole_mass == splat(0.0f), splat(0.0f), &p->step, what == HUB_SOFT, 1);
 	*bias = quotient(goal.bias, goal.mass_scale);
 	*soft = quotient(spoke_resists(h, s, k) * goal.impulse_scale, goal.mass_scale);
 }

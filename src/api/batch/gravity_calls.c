@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// gravity_calls.c -- sets the gravity of the worlds of a batch.
+#include "api/batch/batch_check.h"
+#include "platform/processor.h"
+#include "world/record/api_calls.h"
+#include "world/units/scale.h"
+#include <float.h>
+
+// Returns the gravity of a world in metres, from the unit of length of its template.
+static scree_vec metric_gravity(const scree_batch* batch, const scree_vec* gravity, int world)
+{
+	scree_vec metres = gravity[world];
+	float unit = batch->templates[batch->template_of[world]].length_unit;
+	if (unit != 0.0f)
+		units_scale((double)unit, (char*)&metres, 2, 1, TO_METRES);
+	return metres;
+}
+
+scree_status api_batch_set_gravity(scree_batch* batch, const scree_vec* gravity)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_set_gravity";
+	TRY(batch_check(batch, function));
+	for (int k = 0; gravity && k < batch->worlds; ++k)
+		TRY(check_vec((ArgumentPlace){function, "gravity", k}, "", gravity[k], FLT_MAX));
+	if (gravity && !batch->gravity)
+		batch->gravity = scree_allocate(sizeof *gravity * (size_t)batch->worlds);
+	if (gravity && !batch->gravity)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d worlds", function, batch->worlds);
+	for (int k = 0; gravity && k < batch->worlds; ++k)
+		batch->gravity[k] = metric_gravity(batch, gravity, k);
+	if (!gravity)
+	{
+		scree_release(batch->gravity);
+		batch->gravity = NULL;
+	}
+	for (int k = 0; k < batch->block_count; ++k)
+	{
+		batch->blocks[k].gravity = batch->gravity;
+		batch->blocks[k].gravity_changed = true;
+	}
+	return SCREE_OK;
+}
