@@ -572,7 +572,7 @@ static void damaged_rows_are_refused(void** state)
 	OK(scree_batch_get_hashes(batch, after));
 	assert_memory_equal(before, after, sizeof before);
 	REFUSED(scree_batch_load(batch, &first, 1, rows, 16),
-	        "scree_batch_load: state 0 has 16 bytes, fewer than its head of 128");
+	        "scree_batch_load: state 0 has 16 bytes, fewer than its head of 144");
 	assert_int_equal(scree_batch_load(batch, &first, 1, rows, (size_t)used - 1), SCREE_ERROR_INVALID);
 	OK(scree_batch_load(batch, &first, 1, rows, (size_t)used));
 	OK(scree_batch_load(batch, list, 3, rows, size));
@@ -629,7 +629,12 @@ static void bad_arguments_are_refused(void** state)
 	    "scree_batch_insert: from has 5 bodies, 4 collidables and 0 joints, but the template of world 0 has 4, 3 and "
 	    "0");
 	OK(scree_batch_insert(batch, 0, world));
-	OK(scree_world_set_gravity(world, (scree_vec){0.0f, -5.0f}));
+	OK(scree_world_set_gravity(world, (scree_vec){0.0f, -5.0f})); // not a part of the state
+	OK(scree_batch_insert(batch, 0, world));
+	scree_tuning tuning;
+	OK(scree_world_get_tuning(world, &tuning));
+	tuning.contact_hertz = 20.0f;
+	OK(scree_world_set_tuning(world, &tuning));
 	REFUSED(
 	    scree_batch_insert(batch, 0, world),
 	    "scree_batch_insert: from has other settings, or other shapes, masses, joints or rules, than the template of "

@@ -36,13 +36,7 @@ static scree_status fill_spare(Block* block, const Template* from, int bay)
 			if (pool_info[pool].per == kinds[k].per && pool_info[pool].role <= STANDING && used[k] > 0)
 				TRY(b->f->write(b, (PoolId)pool, kinds[k].first, used[k], template_item(from, (PoolId)pool, 0)));
 	BayState state = template_state(from);
-	Bay numbers = {.bodies = from->bodies,
-	               .collidables = from->collidables,
-	               .attribute = from->first_attribute,
-	               .world = -1,
-	               .number = (int)(from - block->templates),
-	               .path_sample = from->first_sample,
-	               .joints = from->joints};
+	Bay numbers = template_bay(from, (int)(from - block->templates));
 	TRY(b->f->write(b, POOL_bay, bay, 1, &numbers));
 	return b->f->write(b, POOL_bay_state, bay, 1, &state);
 }

@@ -297,8 +297,7 @@ static scree_status write_values(Staged* s)
 	{
 		const Template* from = s->templates[n];
 		s->states[n] = s->heads[n].state;
-		s->bays[n] =
-		    (Bay){from->bodies, from->collidables, from->first_attribute, -1, (int)(from - block->templates), {0}};
+		s->bays[n] = template_bay(from, (int)(from - block->templates));
 	}
 	TRY(b->f->write(b, POOL_bay, block->stage, s->count, s->bays));
 	return b->f->write(b, POOL_bay_state, block->stage, s->count, s->states);

@@ -185,6 +185,17 @@ BayState template_state(const Template* from)
 	                  .substep = from->pipeline.step.h};
 }
 
+Bay template_bay(const Template* from, int number)
+{
+	return (Bay){.bodies = from->bodies,
+	             .collidables = from->collidables,
+	             .attribute = from->first_attribute,
+	             .world = -1,
+	             .number = number,
+	             .path_sample = from->first_sample,
+	             .joints = from->joints};
+}
+
 void template_shift(Template* made, int first, int sample, int table)
 {
 	made->first_attribute = first;

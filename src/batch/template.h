@@ -29,6 +29,9 @@ scree_status template_read(scree_world* world, const char* function, int number,
 
 // Returns the state that the world of a template has in a bay.
 BayState template_state(const Template* from);
+
+// Returns the numbers of items of a world of the template, in a bay without a row. number: index of the template.
+Bay template_bay(const Template* from, int number);
 void template_close(Template* made);
 
 // Numbers the attributes of the image from `first` on, and its path samples from `sample` on. table: its material_table.

@@ -18,7 +18,7 @@ enum // kinds of items of a row
 	ROW_KINDS
 };
 
-typedef struct // 128 bytes: the head of a row
+typedef struct // 144 bytes: the head of a row
 {
 	uint64_t magic;       // ROW_MAGIC
 	uint64_t version;     // row_version
@@ -30,7 +30,7 @@ typedef struct // 128 bytes: the head of a row
 	int surfaces_changed; // 1 if surfaces of contacts may have to be computed again
 	int unused;
 	BayState state;
-	uint64_t reserved; // 0
+	uint64_t reserved[2]; // 0
 } RowHead;
 
 #define ROW_MAGIC 0x776f726565726373u // "screerow"
