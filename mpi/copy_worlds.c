@@ -53,7 +53,8 @@ static void copy(Outcome* o, MPI_Comm comm, Exchange* x, scree_batch* batch, con
 	if (!batch || !sources)
 		outcome_fail(o, SCREE_ERROR_INVALID, "%s is null", batch ? "sources" : "batch");
 	else if (needs.row_bytes > MOST_ROW)
-		outcome_fail(o, SCREE_ERROR_INVALID, "the state of a world has %zu bytes, may have %zu", needs.row_bytes, MOST_ROW);
+		outcome_fail(o, SCREE_ERROR_INVALID, "the state of a world has %zu bytes, may have %zu", needs.row_bytes,
+		             MOST_ROW);
 	if (!exchange_begin(o, comm, x, &needs))
 		return;
 	save(o, batch, x);

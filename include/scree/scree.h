@@ -2476,7 +2476,7 @@ typedef struct
 	// was not, or after it ran again or was reset.
 	int32_t crowded;
 	int32_t frozen_bodies, contacts, touching;
-	float penetration, joint_gap; // m
+	float penetration, joint_gap; // m, or the unit of length of the template
 } scree_batch_counters;
 
 // Writes the counters of the last step of each world, paused ones too. counters: array with one entry per world. After a reset

@@ -129,39 +129,28 @@ void block_aim(Block* block, bool first)
 	block->request.aims = RUN_PAIR(CHANNELS_STEP, live);
 }
 
-// Lists the bays of the worlds that were reset, and gathers their rows.
-static int gather_resets(Block* block, const ChannelSet* set)
-{
-	int count = 0;
-	for (int row = 0; row < block->worlds; ++row)
-	{
-		if (!(block->plan[row] & PLAN_RESET))
-			continue;
-		size_t columns = (size_t)set->columns;
-		if (set->count > 0)
-			channels_put(set, block->converted + (size_t)count * columns,
-			             memory_of(block, CHANNELS_RESET) + (size_t)row * columns);
-		block->copies[count++] = make_int2(0, block->bay_of[row]);
-	}
-	return count;
-}
-
 // Writes the touches of the worlds of the first entries of the pool bay_copy.
 static scree_status begin_touches(Block* block, int copies)
 {
+	const ChannelSet* outputs = block->sets + CHANNELS_OUTPUTS;
+	if (!outputs->touches)
+		return SCREE_OK;
 	return run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_COPIES | CHANNEL_BEGINS, copies, 0,
-	                  block->sets[CHANNELS_OUTPUTS].joint_group);
+	                  outputs->joint_group);
 }
 
-scree_status block_apply_reset(Block* block)
+scree_status block_apply_reset(Block* block, int resets)
 {
 	Backend* b = block->backend;
-	if (!block->sets || block->sets[CHANNELS_RESET].count + block->sets[CHANNELS_OUTPUTS].count == 0)
+	if (!block->sets || resets == 0)
 		return SCREE_OK;
 	const ChannelSet* set = block->sets + CHANNELS_RESET;
-	int resets = gather_resets(block, set);
-	if (resets == 0)
+	if (set->count == 0 && !block->sets[CHANNELS_OUTPUTS].touches)
 		return SCREE_OK;
+	size_t columns = (size_t)set->columns;
+	for (int k = 0; k < resets && set->count > 0; ++k)
+		channels_put(set, block->converted + (size_t)k * columns,
+		             memory_of(block, CHANNELS_RESET) + (size_t)block->rows[k] * columns);
 	TRY(b->f->write(b, POOL_bay_copy, 0, resets, block->copies));
 	if (set->count > 0)
 		TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_RESET].column, resets * set->columns, block->converted));
@@ -176,7 +165,7 @@ scree_status block_begin_touches(Block* block, int copies)
 	for (int k = 0; k < copies; ++k)
 		if (block->copies[k].y < block->worlds)
 			block->copies[running++] = block->copies[k];
-	if (!block->sets || running == 0)
+	if (!block->sets || !block->sets[CHANNELS_OUTPUTS].touches || running == 0)
 		return SCREE_OK;
 	TRY(b->f->write(b, POOL_bay_copy, 0, running, block->copies));
 	return begin_touches(block, running);

@@ -15,8 +15,8 @@ scree_status block_apply_again(Block* block);
 // Sets the members of Block.request for targets of the next step. first: true for the first step of a call, in which they act.
 void block_aim(Block* block, bool first);
 
-// Applies the inputs of a reset to the worlds that Block.plan has put back to their templates.
-scree_status block_apply_reset(Block* block);
+// Applies the inputs of a reset to the worlds of the first copies and rows of the block.
+scree_status block_apply_reset(Block* block, int resets);
 
 // Writes the touches of the running worlds of Block.copies, which have other states, so that the next outputs tell which
 // are new. Changes Block.copies.

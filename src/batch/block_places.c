@@ -7,6 +7,7 @@
 #include "batch/block_pools.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
+#include <string.h>
 
 scree_status block_places_open(Block* block)
 {
@@ -104,6 +105,36 @@ static void add_pending(Block* block, int row, bool resets)
 	p->taut |= from->taut;
 	p->counters.presses |= from->counters.presses; // Step.presses, in the next step
 	p->lengths_vary |= from->step.h != p->step.h;
+}
+
+// Returns the first row from `row` on whose byte is not 0; the number of worlds if there is none.
+static int next_masked(const Block* block, const uint8_t* mask, int row)
+{
+	const uint8_t* bytes = mask + block->first;
+	for (uint64_t word; row + 8 <= block->worlds; row += 8) // most worlds are not reset
+	{
+		memcpy(&word, bytes + row, sizeof word);
+		if (word != 0)
+			break;
+	}
+	while (row < block->worlds && !bytes[row])
+		++row;
+	return row;
+}
+
+scree_status block_restore(Block* block, const uint8_t* mask, int* count)
+{
+	*count = 0;
+	for (int row = mask ? next_masked(block, mask, 0) : 0, last = -1; row < block->worlds;
+	     row = mask ? next_masked(block, mask, row + 1) : row + 1)
+	{
+		int number = block->template_of[block->first + row];
+		if (number != last)
+			add_pending(block, row, true);
+		last = number;
+		add_copy(block, count, block->spare_of[number], block->bay_of[row], row);
+	}
+	return copy(block, *count);
 }
 
 // Moves worlds to the first `live` bays, and puts worlds back to their templates.

@@ -8,6 +8,10 @@
 scree_status block_places_open(Block* block);
 void block_places_close(Block* block);
 
+// Puts worlds back to their templates, if none is paused. mask: as in scree_batch_reset. Sets *count to their number; they
+// are the first ones of Block.copies and Block.rows.
+scree_status block_restore(Block* block, const uint8_t* mask, int* count);
+
 // Pauses, resumes and resets worlds, as Block.plan says. The running worlds are then in the first bays.
 scree_status block_arrange(Block* block);
 

@@ -21,6 +21,7 @@ typedef struct
 	double unit;                // unit of length, m; 0 for metres
 	bool poses;                 // some input is a pose, whose rotation is normalized
 	bool aims, acts;            // some input is a target; some input is a force or torque
+	bool touches;               // some output counts touches
 	bool places;                // some input places bodies
 } ChannelSet;
 

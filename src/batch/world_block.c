@@ -107,10 +107,23 @@ void block_close(Block* block)
 
 scree_status block_reset(Block* block, const uint8_t* mask)
 {
+	int count = 0;
+	if (block->pipeline.live_bays == block->worlds)
+	{
+		TRY(block_restore(block, mask, &count));
+		return block_apply_reset(block, count);
+	}
 	for (int k = 0; k < block->worlds; ++k)
 		block->plan[k] = !mask || mask[block->first + k] ? PLAN_RESET : block_runs(block, k) ? 0 : PLAN_PAUSE;
 	TRY(block_arrange(block));
-	return block_apply_reset(block);
+	for (int k = 0; k < block->worlds; ++k)
+	{
+		if (!(block->plan[k] & PLAN_RESET))
+			continue;
+		block->copies[count] = make_int2(block->spare_of[block->template_of[block->first + k]], block->bay_of[k]);
+		block->rows[count++] = k;
+	}
+	return block_apply_reset(block, count);
 }
 
 scree_status block_pause(Block* block, const uint8_t* mask)

@@ -11,12 +11,12 @@
 #define CHANNEL_LISTS    3
 
 // Bits of the first part of the argument of kernels of channels.
-#define CHANNEL_LIST    3  // mask: number of the list
-#define CHANNEL_COPIES  4  // items are those of the last copies (pool bay_copy)
-#define CHANNEL_AGAIN   8  // only forces and torques act, in the second and later steps of a call
-#define CHANNEL_AIMS    16 // only targets act: they give bodies the velocity to reach them in the step
-#define CHANNEL_ARRIVES 32 // only targets act: they place bodies after the step; with CHANNEL_AIMS they stop bodies, since the
-                           // step was abandoned
+#define CHANNEL_LIST   3 // mask: number of the list
+#define CHANNEL_COPIES 4 // items are those of the last copies (pool bay_copy)
+#define CHANNEL_AGAIN  8 // only forces and torques act, in the second and later steps of a call
+#define CHANNEL_AIMS \
+	16 // only targets act: bodies get the velocity to reach them; with CHANNEL_ARRIVES they stop instead
+#define CHANNEL_ARRIVES 32 // only targets act: bodies are placed after the step
 #define CHANNEL_BEGINS  64 // outputs: only touches, those before the first step or after a reset
 
 // Bits of Channel.which for touches.

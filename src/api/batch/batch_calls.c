@@ -6,6 +6,7 @@
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/record/api_calls.h"
+#include "world/units/scale.h"
 #include <stddef.h>
 #include <string.h>
 
@@ -208,6 +209,12 @@ scree_status api_batch_get_counters_sized(scree_batch* batch, scree_batch_counte
 		                            .touching = rows[k].touching,
 		                            .penetration = rows[k].penetration,
 		                            .joint_gap = rows[k].joint_gap};
+		float unit = batch->templates[batch->template_of[k]].length_unit;
+		if (unit != 0.0f)
+		{
+			units_scale((double)unit, (char*)&now.penetration, 1, 1, TO_UNITS);
+			units_scale((double)unit, (char*)&now.joint_gap, 1, 1, TO_UNITS);
+		}
 		write_result((char*)counters + size * (size_t)k, size, &now, sizeof now);
 	}
 	scree_release(rows);

@@ -38,13 +38,8 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 	bool uncolored = solve->chains > 0 || solve->branches > 0 || solve->counters->overflow > 0;
 	if (d->relay.groups == 0 || d->form == FORM_LAUNCHES || uncolored)
 		return FORM_LAUNCHES;
-	// few constraints stay in the registers of a relay; its form "tiles" stands for large worlds
-	bool many = d->form == FORM_TILES || (d->form == FORM_ANY && !relay_holds(d, solve));
-	bool varied = d->constants.step.bays.varied; // relay and tiles do not read the gravity of each world
-	if ((many || varied) && bay_solve_fits(d, solve))
-		return FORM_BAYS;
-	if (varied)
-		return FORM_LAUNCHES;
+	if (d->constants.step.bays.worlds > 0) // relay and tiles do not read the values of each world of a batch
+		return bay_solve_fits(d, solve) ? FORM_BAYS : FORM_LAUNCHES;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;

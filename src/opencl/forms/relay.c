@@ -103,7 +103,8 @@ static size_t other_groups(OpenCl* d, const Solve* solve)
 	return groups < most ? groups : most;
 }
 
-bool relay_holds(OpenCl* d, const Solve* solve)
+// Returns whether all constraints of a solve without hubs stay in registers.
+static bool relay_holds(OpenCl* d, const Solve* solve)
 {
 	const Kernel* relay = relay_kernel(d);
 	return solve_constraints(solve) <= relay->groups * (int)relay->group;

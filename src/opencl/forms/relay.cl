@@ -262,7 +262,7 @@ INLINE_MEET void relay_tasks(const Pools* p, const Relay* r, __global float4* st
 		Pools pools = {POOL_NAMES step, 0};                                                                           \
 		Relay r = {mailboxes, substeps, passes, spins};                                                               \
 		specialize(pools.step);                                                                                       \
-		STEP_ALIKE(pools.step);                                                                                       \
+		STEP_ALONE(pools.step);                                                                                       \
 		relay_tasks(&pools, &r, stream, constraints, bound, spread, &fault);                                          \
 	}
 RELAY_KERNEL(relay, STEP_CONTACTS)

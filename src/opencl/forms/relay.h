@@ -12,8 +12,6 @@ void relay_close(OpenCl* d);
 scree_status relay_reserve(OpenCl* d, const Solve* solve);
 scree_status mailboxes_reserve(OpenCl* d, const Solve* solve); // called for tiles too: a relay solves their border
 scree_status relay_run(OpenCl* d, const Solve* solve);
-// Returns whether all constraints of a solve without hubs stay in registers.
-bool relay_holds(OpenCl* d, const Solve* solve);
 // Returns whether there are no springs, couplings and joints on paths (STEP_HINGES).
 bool solve_hinges(const OpenCl* d);
 // Returns whether there are no joints, heavy bodies, radii, restitution, rolling resistance and tangent speeds

@@ -306,7 +306,7 @@ INLINE_MEET void relay_hub_tasks(const Pools* p, const Relay* r, __global float4
 		Pools pools = {POOL_NAMES step, 0};                                                                      \
 		Relay r = {mailboxes, substeps, passes, spins};                                                          \
 		specialize(pools.step);                                                                                  \
-		STEP_ALIKE(pools.step);                                                                                  \
+		STEP_ALONE(pools.step);                                                                                  \
 		relay_hub_tasks(&pools, &r, stream, bound, spread, parts, hub_groups, bench, &fault);                    \
 	}
 RELAY_HUBS_KERNEL(relay_hubs, STEP_CONTACTS)

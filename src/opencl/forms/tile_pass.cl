@@ -185,7 +185,7 @@ INLINE_MEET void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL
 		__local int range[TILE_COLUMNS + 1];                                                                          \
 		Pools pools = {POOL_NAMES step, 0};                                                                           \
 		specialize(pools.step);                                                                                       \
-		STEP_ALIKE(pools.step);                                                                                       \
+		STEP_ALONE(pools.step);                                                                                       \
 		Relay r = {0, substeps, passes, 0};                                                                           \
 		Tiles t = {0, 0, resident, table, order, stream, stride, 0};                                                  \
 		if (tile_wanted(&pools, bound))                                                                               \
@@ -290,7 +290,7 @@ INLINE_MEET void tile_border_work(const Pools* p, const Relay* r, const Tiles* t
 		Relay r = {mailboxes, substeps, passes, spins};                                                           \
 		Tiles t = {0, 0, 0, table, order, stream, stride, rows};                                                  \
 		specialize(pools.step);                                                                                   \
-		STEP_ALIKE(pools.step);                                                                                   \
+		STEP_ALONE(pools.step);                                                                                   \
 		if (tile_wanted(&pools, bound))                                                                           \
 			tile_border_work(&pools, &r, &t, q, &fault);                                                          \
 	}

@@ -279,7 +279,7 @@ INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 		Pools pools = {POOL_NAMES step, 0};                                                                       \
 		Tiles t = {place, border, 0, table, order, stream, stride, rows};                                         \
 		specialize(pools.step);                                                                                   \
-		STEP_ALIKE(pools.step);                                                                                   \
+		STEP_ALONE(pools.step);                                                                                   \
 		if (tile_wanted(&pools, bound))                                                                           \
 			tile_prepare_at(&pools, &t, (int)get_global_id(0));                                                   \
 	}
