@@ -4,10 +4,10 @@
 // The first and the last world of a batch are never reset, so both must end with the hash of the same world alone, which is
 // stepped on the CPU. The sum of all hashes must be the same in all runs.
 #include "bench_batch.h"
+#include "batch_scene.h"
 #include "cli/common/csv.h"
 #include "cli/common/known_hashes.h"
 #include "cli/common/library_error.h"
-#include "scene/block.h"
 #include "tools/common/clock.h"
 #include "tools/common/median.h"
 #include <inttypes.h>
@@ -37,20 +37,6 @@ typedef struct
 	uint64_t first, last, single; // hashes of the first world, of the last one, and of the world alone
 	int threads, lanes;
 } Run;
-
-// Returns whether nothing changes the world of a scene between its steps. If not, prints the reason.
-static bool steps_alone(const Scene* scene)
-{
-	const char* has = scene->character_count > 0 ? "characters" : scene->fan_count > 0 ? "rays" : NULL;
-	has = scene->blast_count > 0 ? "explosions" : has;
-	for (int k = 0; k < scene->block_count; ++k)
-		if (scene->blocks[k].churn.moved + scene->blocks[k].churn.replaced > 0)
-			has = "churn";
-	if (has)
-		fprintf(stderr, "%s bench: %s has %s, which the worlds of a batch cannot have\n", program_name, scene->name,
-		        has);
-	return !has;
-}
 
 static bool allocate(Run* run)
 {
@@ -126,15 +112,7 @@ static void end_run(Run* run, int repeat, int begin)
 
 static scree_status measure_once(Run* run, int repeat)
 {
-	const Options* options = run->options;
-	scree_batch_def def = scree_batch_def_default();
-	def.worlds = run->worlds;
-	def.templates = &run->alone;
-	def.template_count = 1;
-	def.device = strcmp(options->device, "auto") == 0 ? "cpu" : options->device;
-	def.threads = options->threads;
-	def.lanes = options->lanes;
-	def.allow_unequal_bits = options->allow_unequal_bits;
+	scree_batch_def def = batch_definition(run->options, &run->alone);
 	int begin = run->count;
 	scree_status status = scree_batch_create(&def, &run->batch);
 	if (status == SCREE_OK)
@@ -179,7 +157,7 @@ static bool check(const Run* run, const Known* known, const char* settings)
 static void print_row(Run* run, const char* settings, bool valid)
 {
 	char device[160];
-	bool cpu = strcmp(run->options->device, "auto") == 0 || strcmp(run->options->device, "cpu") == 0;
+	bool cpu = strcmp(run->options->device, "cpu") == 0;
 	double total = 0.0;
 	for (int k = 0; k < run->count; ++k)
 		total += run->times[k];
@@ -207,9 +185,7 @@ static int open_template(const Options* options, const Scene* scene, ScenePlayer
 
 static int measure(const Options* given, const Scene* scene, const Known* known, bool* invalid)
 {
-	Options awake = *given, *options = &awake;
-	if (scene->world.sleep && given->sleep == SLEEP_OF_SCENE)
-		awake.sleep = SLEEP_OFF; // worlds of a batch do not sleep; the row says so
+	Options awake = batch_options(given, scene), *options = &awake; // the row says that the scene runs awake
 	Run run = {.options = options, .scene = scene, .worlds = options->worlds, .steps = options_steps(options, scene)};
 	ScenePlayer player = {0};
 	char settings[256];
@@ -252,7 +228,7 @@ int measure_batches(const Options* options, const SceneList* list)
 	if (options->argument_count == 0)
 		code = EXIT_BAD;
 	for (int k = 0; k < list->count && code == EXIT_GOOD; ++k)
-		code = steps_alone(list->scenes[k]) ? EXIT_GOOD : EXIT_BAD;
+		code = batch_takes(options, list->scenes[k]) ? EXIT_GOOD : EXIT_BAD;
 	if (code == EXIT_GOOD)
 		printf("scene,settings,device,threads,lanes,worlds,resets,bodies,steps,ms_step,ms_least,ms_most,world_steps_s,"
 		       "hash_sum,"

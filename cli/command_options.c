@@ -42,6 +42,14 @@ static bool read_hash_interval(Options* options, const Option* option, char* tex
 	return refuse_value(options, option, text, "be a whole number from 0 to 999999999");
 }
 
+static bool read_show(Options* options, const Option* option, char* text)
+{
+	char extra;
+	if (sscanf(text, "%9d%c", &options->show, &extra) == 1 && options->show >= 0)
+		return true;
+	return refuse_value(options, option, text, "be a whole number from 0");
+}
+
 static bool read_resets(Options* options, const Option* option, char* text)
 {
 	char extra;
@@ -112,8 +120,10 @@ static const Option repeats = {"repeats", 'r', "N", "runs of each scene or kind 
                                NUMBER(Options, repeats, 1000)};
 static const Option worlds = {
     "worlds", 'b', "N",
-    "measure N copies of a scene in one batch, on the CPU unless --device names another: docs/manual/batch.md",
+    "step N copies of a scene in one batch, on the CPU unless --device names another: docs/manual/batch.md",
     NUMBER(Options, worlds, 16777216)};
+static const Option show = {"show", 'K', "N", "with --worlds: copy that results and files show; default 0",
+                            OTHER(read_show)};
 static const Option resets = {"resets", 'y', "PERCENT",
                               "with --worlds: part of the worlds that is reset before each step, at random",
                               OTHER(read_resets)};
@@ -160,7 +170,8 @@ static const OptionRow rows[] = {
     {&queries, QUERIES},
     {&repeats, BENCH | QUERIES},
     {&whole, BENCH},
-    {&worlds, BENCH},
+    {&worlds, RUN | BENCH},
+    {&show, RUN},
     {&resets, BENCH},
     {&template_steps, BENCH},
     {&option_known, BENCH},
@@ -213,10 +224,19 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 	if (options->command == VALIDATE && options->names &&
 	    options_no_effect(table, options, given, "dtluq", "--names runs nothing"))
 		return false;
-	if (options->worlds == 0 && options_no_effect(table, options, given, "yf", "there is no --worlds"))
+	if (options->worlds == 0 && options_no_effect(table, options, given, "yfK", "there is no --worlds"))
 		return false;
-	if (options->worlds > 0 && options_no_effect(table, options, given, "wI", "--worlds measures the steps of a batch"))
+	if (options->worlds > 0 && options_no_effect(table, options, given, "wI", "--worlds steps a batch"))
 		return false;
+	if (options->worlds > 0 &&
+	    options_no_effect(table, options, given, "vco", "--worlds shows only the last state of a world"))
+		return false;
+	if (options->worlds > 0 && options->show >= options->worlds)
+	{
+		fprintf(stderr, "%s %s: --show %d: must be from 0 to %d, because --worlds is %d\n", program_name, options->name,
+		        options->show, options->worlds - 1, options->worlds);
+		return false;
+	}
 	if (options->whole && options_no_effect(table, options, given, "k", "--whole compares no hashes"))
 		return false;
 	return paths_differ(options);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // run_command.c -- scree run, which prints a table of results, and scree hash, which prints the hash.
+#include "batch_scene.h"
 #include "cli/common/library_error.h"
 #include "cli/common/open_scene.h"
 #include "cli/common/outputs.h"
 #include "cli/common/run_report.h"
 #include "commands.h"
 #include "run_files.h"
+#include "run_worlds.h"
 #include "scene/load.h"
 #include "tools/common/clock.h"
 #include <inttypes.h>
@@ -39,11 +41,18 @@ static int take_steps(ScenePlayer* player, Outputs* outputs, int steps, Totals* 
 	return code;
 }
 
-int run_command(const Options* options)
+int run_command(const Options* given)
 {
-	Scene* scene = open_scene(options, options->arguments[0]);
+	Scene* scene = open_scene(given, given->arguments[0]);
 	if (!scene)
 		return EXIT_BAD;
+	bool many = given->worlds > 0;
+	Options batched = many ? batch_options(given, scene) : *given, *options = &batched;
+	if (many && !run_worlds_can(options, scene))
+	{
+		scene_free(scene);
+		return EXIT_BAD;
+	}
 	ScenePlayer player;
 	Outputs outputs;
 	Totals totals = {0};
@@ -61,13 +70,16 @@ int run_command(const Options* options)
 		if (code == EXIT_GOOD)
 			code = run_files_begin(options, &player);
 		if (code == EXIT_GOOD)
-			code = take_steps(&player, &outputs, steps, &totals);
+			code = many ? run_worlds(options, &player, steps, &totals) : take_steps(&player, &outputs, steps, &totals);
 		if (code == EXIT_GOOD)
 			code = report(scree_world_get_hash(player.world, &snapshot.hash));
 		code = run_files_end(options, &player, code);
 		code = outputs_close(&outputs, &player, &snapshot, code);
 		if (code == EXIT_GOOD)
-			print_results(&player, &totals, stage_names, steps, snapshot.hash);
+			print_results(&player, &totals, many ? NULL : stage_names, steps, snapshot.hash);
+		if (code == EXIT_GOOD && many)
+			printf("%-14s %d in the batch; these are the results of world %d\n", "worlds", options->worlds,
+			       options->show);
 		player_close(&player);
 	}
 	scene_free(scene);

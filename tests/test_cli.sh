@@ -302,6 +302,40 @@ refuse 2 'a scene is missing; --worlds measures no scenes but' bench --worlds 4
 refuse 2 'churn has churn, which the worlds of a batch cannot have' bench pyramid churn --worlds 4
 expect 2 'must have at most 4096' bench pyramid --worlds 4 --steps 2
 
+# run --worlds: one world of a batch gives the results and the files of the world alone; a scene that sleeps runs awake
+alone() { grep -vE '^(steps/s|ms/step|worlds|steps|  [a-z_]*) ' out; }
+for scene in 'ragdolls --set columns=1 --set rows=1' 'pile --set count=60' walker; do
+	read -ra words <<<"$scene --steps 60 --device cpu"
+	expect 0 'hash  ' run "${words[@]}" --sleep off --save alone.snap
+	alone >alone.txt
+	expect 0 '9 in the batch; these are the results of world 4' run "${words[@]}" --worlds 9 --show 4 --save one.snap
+	alone >one.txt
+	cmp -s alone.txt one.txt || fail "run --worlds: other results than those of the world alone"
+	expect 0 'hash  ' run "${words[@]}" --sleep off --load alone.snap
+	alone >alone.txt
+	expect 0 'hash  ' run "${words[@]}" --worlds 3 --load one.snap
+	alone >one.txt
+	cmp -s alone.txt one.txt || fail "run --worlds --load: other results than those of the world alone"
+done
+few=(pyramid --set rows=6 --steps 5 --device cpu)
+expect 0 "$hash" run "${few[@]}" --worlds 4 --show 3 --threads 1 --lanes 1
+"$scree" run "${few[@]}" --size 320x240 --picture alone.png --write-scene one.json >out 2>err || fail "run --picture"
+mv one.json alone.json
+expect 0 "$hash" run "${few[@]}" --size 320x240 --picture one.png --write-scene one.json --worlds 4 --show 3
+cmp -s alone.json one.json || fail "run --worlds: another scene than that of the world alone"
+cmp -s alone.png one.png || fail "run --worlds: another picture than that of the world alone"
+refuse 2 '--show 4: must be from 0 to 3, because --worlds is 4' run "${few[@]}" --worlds 4 --show 4
+refuse 2 '--show -1: must be a whole number from 0' run "${few[@]}" --worlds 4 --show -1
+refuse 2 '--show has no effect: there is no --worlds' run "${few[@]}" --show 1
+refuse 2 '--csv has no effect: --worlds shows only the last state of a world' run "${few[@]}" --worlds 4 --csv x.csv
+refuse 2 '--record has no effect: --worlds' run "${few[@]}" --worlds 4 --record x.rec
+refuse 2 '--video has no effect: --worlds' run "${few[@]}" --worlds 4 --video x.mp4
+refuse 2 '--recovery-interval has no effect: --worlds' run pyramid --worlds 4 --recovery-interval 9
+refuse 2 '--layers hits shows events, which' run "${few[@]}" --worlds 4 --picture x.png --layers contacts,hits
+refuse 2 'churn has churn, which the worlds of a batch cannot have' run churn --worlds 4
+refuse 2 'has bodies that may sleep, which worlds of a batch' run "${few[@]}" --worlds 4 --sleep on
+[ -e x.png ] && fail "run --worlds: a picture in spite of the error"
+
 # validate: one experiment, and arguments that are refused; tests/test_validate.sh checks the rows of this command
 expect 0 'motion,free spin for a minute,scree,change of spin,' validate --quick --device cpu --threads 1 motion
 expect 0 'motion' validate --names

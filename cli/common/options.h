@@ -43,6 +43,7 @@ typedef struct
 	const char* against;     // device of a second world; null: none
 	int queries;             // 0: 1,000,000 queries
 	int worlds;              // number of worlds of a batch; 0: no batch
+	int show;                // number of the world that is taken out of a batch
 	int template_steps;      // steps of the template of a batch before it is copied
 	float resets;            // percentage of the worlds of a batch that are reset before each step
 	const char* known;       // path of a CSV with expected hashes; null: none

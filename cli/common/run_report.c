@@ -49,7 +49,7 @@ void print_results(const ScenePlayer* player, const Totals* totals, const char* 
 	printf("%-14s %d in %.3f s\n", "steps", steps, totals->seconds);
 	printf("%-14s %.1f\n", "steps/s", steps / totals->seconds);
 	printf("%-14s %.4f\n", "ms/step", 1000 * totals->seconds / steps);
-	for (int k = 0; k < STAGE_TIMES; ++k)
+	for (int k = 0; stages && k < STAGE_TIMES; ++k)
 		printf("  %-12s %.4f\n", stages[k], totals->stages[k] / steps);
 	printf("%-14s %.4f m now, %.4f m the deepest seen\n", "penetration", (double)c->penetration,
 	       (double)totals->penetration);

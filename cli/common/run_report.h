@@ -25,7 +25,7 @@ typedef struct
 ProgressBar progress_bar(void);
 void progress_show(ProgressBar* bar, int step, int steps);
 
-// Prints the results of a run. stages: names of Totals.stages.
+// Prints the results of a run. stages: names of Totals.stages; null: they were not measured.
 void print_results(const ScenePlayer* player, const Totals* totals, const char* const* stages, int steps,
                    uint64_t hash);
 

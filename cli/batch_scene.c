@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// batch_scene.c -- parts that bench --worlds and run --worlds share: which scenes a batch takes, and its definition.
+#include "batch_scene.h"
+#include "scene/block.h"
+#include <string.h>
+
+bool batch_takes(const Options* options, const Scene* scene)
+{
+	const char* has = scene->character_count > 0 ? "characters" : scene->fan_count > 0 ? "rays" : NULL;
+	has = scene->blast_count > 0 ? "explosions" : has;
+	for (int k = 0; k < scene->block_count; ++k)
+		if (scene->blocks[k].churn.moved + scene->blocks[k].churn.replaced > 0)
+			has = "churn";
+	if (has)
+		fprintf(stderr, "%s %s: %s has %s, which the worlds of a batch cannot have\n", program_name, options->name,
+		        scene->name, has);
+	return !has;
+}
+
+Options batch_options(const Options* options, const Scene* scene)
+{
+	Options awake = *options;
+	if (scene->world.sleep && options->sleep == SLEEP_OF_SCENE)
+		awake.sleep = SLEEP_OFF;
+	if (strcmp(options->device, "auto") == 0)
+		awake.device = "cpu";
+	return awake;
+}
+
+scree_batch_def batch_definition(const Options* options, scree_world** world)
+{
+	scree_batch_def def = scree_batch_def_default();
+	def.worlds = options->worlds;
+	def.templates = world;
+	def.template_count = 1;
+	def.device = options->device;
+	def.threads = options->threads;
+	def.lanes = options->lanes;
+	def.allow_unequal_bits = options->allow_unequal_bits;
+	return def;
+}
