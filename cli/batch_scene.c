@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 // batch_scene.c -- parts that bench --worlds and run --worlds share: which scenes a batch takes, and its definition.
 #include "batch_scene.h"
-#include "scene/block.h"
+#include "scene/between_steps.h"
 #include <string.h>
 
 bool batch_takes(const Options* options, const Scene* scene)
 {
-	const char* has = scene->character_count > 0 ? "characters" : scene->fan_count > 0 ? "rays" : NULL;
-	has = scene->blast_count > 0 ? "explosions" : has;
-	for (int k = 0; k < scene->block_count; ++k)
-		if (scene->blocks[k].churn.moved + scene->blocks[k].churn.replaced > 0)
-			has = "churn";
+	const char* has = scene_between_steps(scene);
 	if (has)
 		fprintf(stderr, "%s %s: %s has %s, which the worlds of a batch cannot have\n", program_name, options->name,
 		        scene->name, has);

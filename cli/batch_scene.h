@@ -11,8 +11,8 @@ bool batch_takes(const Options* options, const Scene* scene);
 // options name another one.
 Options batch_options(const Options* options, const Scene* scene);
 
-// Returns the definition of a batch with one template. options: those of batch_options. *world must stay where it is until
-// the batch is created.
+// Returns the definition of a batch with one template. options: those of batch_options. *world must stay where it is
+// until the batch is created.
 scree_batch_def batch_definition(const Options* options, scree_world** world);
 
 #endif

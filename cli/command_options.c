@@ -170,7 +170,7 @@ static const OptionRow rows[] = {
     {&queries, QUERIES},
     {&repeats, BENCH | QUERIES},
     {&whole, BENCH},
-    {&worlds, RUN | BENCH},
+    {&worlds, RUN | BENCH | VIEW},
     {&show, RUN},
     {&resets, BENCH},
     {&template_steps, BENCH},
@@ -212,7 +212,7 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 	    options_no_effect(table, options, given, "SRaLTVZ", "there is no --picture or --video"))
 		return false;
 	if (options->command == VIEW && options->argument_count > 0 && recording_file(options->arguments[0]) &&
-	    options_no_effect(table, options, given, "seO", "the world is that of a recording"))
+	    options_no_effect(table, options, given, "seOb", "the world is that of a recording"))
 		return false;
 	if (!options->record && options_no_effect(table, options, given, "i", "there is no --record"))
 		return false;
@@ -230,6 +230,9 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 		return false;
 	if (options->worlds > 0 &&
 	    options_no_effect(table, options, given, "vco", "--worlds shows only the last state of a world"))
+		return false;
+	if (options->command == VIEW && options->worlds > 0 &&
+	    options_no_effect(table, options, given, "LoO", "--worlds shows a wall of worlds"))
 		return false;
 	if (options->worlds > 0 && options->show >= options->worlds)
 	{

@@ -115,6 +115,75 @@ if [ -x "$build/tests/difference" ]; then
 	within layers.png window.png 0.1 0 && fail "layers do not show"
 fi
 
+# a wall of worlds: the first one moves as the scene does alone, in each of the others random inputs move the bodies. r returns
+# to the start; what would change the worlds, or reads the template, is refused
+doll=(ragdolls --set columns=1 --set rows=1)
+wall()
+{
+	view 0 "$@" <<'END'
+frames 40
+print
+picture wall.png
+key r
+frames 40
+print
+picture again.png
+key t
+print
+key 7
+print
+button down
+cursor 300 300
+frames 2
+button up
+print
+key c
+key c
+print
+END
+}
+for scene in "${doll[*]}" walker; do
+	read -ra words <<<"$scene"
+	wall "${words[@]}" --worlds 9
+	alone=$("$scree" hash "${words[@]}" --steps 40 --device cpu --sleep off)
+	[ "$(nth hash 1)" = "$alone" ] || fail "wall: another hash than scree hash"
+	[ "$(nth hash 2)" = "$alone" ] || fail "wall: another hash after a restart"
+	says 'says a wall of worlds cannot do this'
+	says 'painted by type'
+	[ "$(nth middle 5)" != "$(nth middle 2)" ] || fail "wall: a drag does not move the picture"
+	cmp -s wall.png again.png || fail "wall: other inputs after a restart"
+done
+if [ -x "$build/tests/difference" ]; then
+	# all bodies stay in the view, because a tile ends there
+	printf '{"name":"two","title":"Two balls fall","view":[-4,-4,4,4],"attributes":{"a":{"circle":0.5}},
+"bodies":[{"attribute":"a"},{"attribute":"a","position":[0.7,1.5]}]}' >two.json
+	view 0 ./two.json --worlds 1 <<'END'
+frames 40
+key z
+frames 1
+picture one.png
+key z
+frames 1
+picture next.png
+END
+	"$scree" run ./two.json --sleep off --device cpu --steps 41 --size 800x600 --renderer gl --layers centers --picture alone.png >out 2>err ||
+		fail "run --layers centers"
+	within one.png alone.png 0.01 0.0001 || fail "wall of one world: another picture than that of scree run"
+	within next.png alone.png 0.1 0.001 && fail "wall: a layer does not show"
+fi
+for line in 'rewind 0' 'device cpu' 'scene pile' 'load x.snap'; do
+	view 2 "${doll[@]}" --worlds 4 <<<"$line"
+	says 'cannot be done'
+done
+view 2 churn --worlds 4 <<<print
+says 'churn has churn, which the worlds of a batch cannot have'
+view 2 walker --worlds 2000 <<<print
+says '--worlds 2000: must be at most 1024'
+view 2 walker --worlds 4 --paint speed <<<print
+says '--paint speed cannot show a wall of worlds'
+view 2 walker --worlds 4 --load x.snap <<<print
+says '--load has no effect: --worlds shows a wall of worlds'
+
 # the body under the cursor: a click selects it, a drag does not. Escape ends the selection; a second Escape ends the viewer. None
 # of this changes the hash
 view 0 "${small[@]}" <<'END'

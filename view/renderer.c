@@ -11,6 +11,7 @@
 #include "view/paint_tables.h"
 #include "view/scan_lines.h"
 #include "view/theme.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -140,15 +141,16 @@ static void bind_rows(unsigned vertices, const Share* share, int first, GLuint d
 	}
 }
 
-// Draws a layer over the bodies, with one instance per row.
-static void draw_over(const Renderer* r, const Pass* pass, const Share* share, const Camera* camera, const Style* style)
+// Draws a layer over the bodies, with one instance per row, for `count` rows from row `first` on.
+static void draw_over(const Renderer* r, const Pass* pass, const Share* share, int first, int count,
+                      const Camera* camera, const Style* style)
 {
-	bind_rows(r->four_each, share, 0, 1);
+	bind_rows(r->four_each, share, first, 1);
 	pass_use(pass, &r->tables, camera, style);
-	glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, share->count);
+	glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
 }
 
-void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const Style* style)
+static void begin_picture(const Camera* camera, const Style* style)
 {
 	Color background = theme_of(style->dark)->background;
 	glViewport(0, 0, camera->width, camera->height);
@@ -161,31 +163,67 @@ void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const 
 	OPENGL_SHADERS_SIZE_POINTS();
 	glClearColor((float)background.r / 255.0f, (float)background.g / 255.0f, (float)background.b / 255.0f, 1.0f);
 	glClear(GL_COLOR_BUFFER_BIT);
+}
 
-	if (style->layers[LAYER_rays])
-		scan_lines_mark(&r->scan, &r->under, &r->strokes, camera);
-	strokes_draw(&r->under, camera);
+// Draws bodies and layers of `count` rows from row `first` on, all of one world.
+static void draw_rows(Renderer* r, const Share* share, int first, int count, const Camera* camera, const Style* style)
+{
 	pass_bind_tables(&r->tables);
-	lod_update(&r->lod, &r->tables, share->count, camera->scale, style->detail);
+	lod_update(&r->lod, &r->tables, count, camera->scale, style->detail);
 	pass_use(&r->body, &r->tables, camera, style);
 	for (int k = 0; k < r->lod.shape_runs; ++k)
 	{
-		bind_rows(r->four_each, share, r->lod.shapes[k].first, 1);
+		bind_rows(r->four_each, share, first + r->lod.shapes[k].first, 1);
 		glUniform1i(r->body.first, r->lod.shapes[k].first);
 		glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, r->lod.shapes[k].count);
 	}
 	if (r->lod.splats)
 	{
-		bind_rows(r->one_each, share, 0, 0);
+		bind_rows(r->one_each, share, first, 0);
 		pass_use(&r->splat, &r->tables, camera, style);
-		glDrawArrays(GL_POINTS, 0, share->count);
+		glDrawArrays(GL_POINTS, 0, count);
 	}
 	if (style->layers[LAYER_boxes])
-		draw_over(r, &r->box, share, camera, style);
-	if (style->layers[LAYER_velocities])
-		draw_over(r, &r->velocity, share, camera, style);
+		draw_over(r, &r->box, share, first, count, camera, style);
+	if (style->layers[LAYER_velocities] && r->tiles.count == 0)
+		draw_over(r, &r->velocity, share, first, count, camera, style);
 	if (style->layers[LAYER_centers])
-		draw_over(r, &r->center, share, camera, style);
+		draw_over(r, &r->center, share, first, count, camera, style);
+}
+
+// Draws all tiles of which a part is in the picture.
+static void draw_tiles(Renderer* r, const Share* share, const Camera* camera, const Style* style)
+{
+	glEnable(GL_SCISSOR_TEST);
+	for (int k = 0; k < r->tiles.count; ++k)
+	{
+		const scree_box* box = r->tiles.boxes + k;
+		float x = 0.5f * (float)camera->width, y = 0.5f * (float)camera->height;
+		float left = fmaxf(x + camera->scale * (box->lower.x - camera->middle.x), 0.0f);
+		float right = fminf(x + camera->scale * (box->upper.x - camera->middle.x), (float)camera->width);
+		float low = fmaxf(y + camera->scale * (box->lower.y - camera->middle.y), 0.0f);
+		float high = fminf(y + camera->scale * (box->upper.y - camera->middle.y), (float)camera->height);
+		if (left >= right || low >= high)
+			continue;
+		glScissor((GLint)left, (GLint)low, (GLsizei)ceilf(right - left), (GLsizei)ceilf(high - low));
+		draw_rows(r, share, k * r->tiles.rows, r->tiles.rows, camera, style);
+	}
+	glDisable(GL_SCISSOR_TEST);
+}
+
+void renderer_draw(Renderer* r, const Share* share, const Camera* camera, const Style* style)
+{
+	begin_picture(camera, style);
+	if (r->tiles.count > 0)
+	{
+		draw_tiles(r, share, camera, style);
+		strokes_draw(&r->strokes, camera);
+		return;
+	}
+	if (style->layers[LAYER_rays])
+		scan_lines_mark(&r->scan, &r->under, &r->strokes, camera);
+	strokes_draw(&r->under, camera);
+	draw_rows(r, share, 0, share->count, camera, style);
 	if (style->layers[LAYER_fields])
 		field_lines_mark(&r->field_lines, &r->strokes);
 	if (style->layers[LAYER_joints])

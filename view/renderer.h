@@ -13,6 +13,12 @@
 #include "view/stroke.h"
 #include "view/style.h"
 
+typedef struct // parts of a picture, each with a world of its own: the same structure, at another place
+{
+	int count, rows;        // number of tiles; render rows of each world, one world after the other
+	const scree_box* boxes; // m: box of each tile, outside of which nothing of its world is drawn
+} Tiles;
+
 typedef struct
 {
 	Pass body, splat, box, velocity, center;
@@ -27,6 +33,8 @@ typedef struct
 	Flashes flashes;
 	scree_contact* contacts;
 	int contact_count, contact_capacity;
+	// Worlds that renderer_draw draws, in the look of the world that was read; count 0: that world. The caller sets them.
+	Tiles tiles;
 	bool software; // true: OpenGL runs on the CPU
 } Renderer;
 
@@ -48,6 +56,7 @@ scree_status renderer_step(Renderer* renderer, const Camera* camera, const Style
 scree_status renderer_fetch(Renderer* renderer, const Camera* camera, const Style* style);
 
 // Draws background, bodies and layers into the current framebuffer, and on top the strokes that the caller has added.
+// Tiles have no layers but boxes and centers.
 void renderer_draw(Renderer* renderer, const Share* share, const Camera* camera, const Style* style);
 
 #endif

@@ -174,4 +174,14 @@ scree_status share_update(Share* share)
 	return status;
 }
 
+void share_put(Share* share, const scree_render_row* rows, int count)
+{
+	if (!share->buffer)
+		glGenBuffers(1, &share->buffer);
+	share->how = SCREE_SHARING_COPIED;
+	share->count = share->capacity = count;
+	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
+	glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)count * sizeof *rows), rows, GL_STREAM_DRAW);
+}
+
 const char* share_error(const Share* share) { return *share->sentence ? share->sentence : scree_error(); }

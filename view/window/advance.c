@@ -90,6 +90,8 @@ static void approach(Viewer* v)
 // Takes the next step: one of the past, if the world is there. Returns false if the world has stopped.
 static bool next_step(Viewer* v, bool* added)
 {
+	if (v->wall.batch)
+		return viewer_step_wall(v);
 	if (!rewind_repeats(v) || v->session.player.steps == v->begun + v->past.end)
 	{
 		rewind_cut(v);

@@ -25,7 +25,8 @@ static void draw_picture(Viewer* v, const Style* style)
 {
 	char caption[256];
 	uint64_t hash = 0;
-	scree_world_get_hash(v->session.player.world, &hash);
+	if (viewer_hash(v, &hash) != SCREE_OK)
+		hash = 0;
 	caption_exact(v->session.scene, v->session.player.world, &v->session.counters, hash, caption, sizeof caption);
 	Camera camera = picture_camera(v);
 	capture_draw(&v->capture, &v->renderer, &v->share, &camera, style, v->session.scene->title, caption);

@@ -16,7 +16,10 @@ static void fit(Viewer* v, scree_box box)
 	camera_fit_part(&v->camera, box, panel_left(v), panel_band(v));
 }
 
-void eye_fit_scene(Viewer* v) { fit(v, render_tables_view(&v->renderer.tables, v->session.scene)); }
+void eye_fit_scene(Viewer* v)
+{
+	fit(v, v->wall.batch ? v->wall.box : render_tables_view(&v->renderer.tables, v->session.scene));
+}
 
 // Finds a box around the dynamic bodies, without outliers. Returns false if there are none, or if memory is short.
 static bool find_bodies(Viewer* v, scree_box* box)
@@ -47,6 +50,11 @@ static bool find_bodies(Viewer* v, scree_box* box)
 void eye_fit_bodies(Viewer* v)
 {
 	scree_box around, view = render_tables_view(&v->renderer.tables, v->session.scene);
+	if (v->wall.batch)
+	{
+		eye_fit_scene(v);
+		return;
+	}
 	bool found = find_bodies(v, &around);
 	if (found && v->session.scene->has_view)
 		fit(v, bounds_join(view, bounds_limit(around, view, FAR)));

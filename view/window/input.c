@@ -72,11 +72,21 @@ static void load_neighbor(Viewer* v, int by)
 		viewer_load(v, session->scenes[k == count ? 0 : (k + by + count) % count], true);
 }
 
+static void restart(Viewer* v)
+{
+	if (!v->wall.batch)
+		viewer_load(v, v->session.name, false);
+	else if (wall_restart(&v->wall, &v->session.counters) != SCREE_OK)
+		viewer_fail(v, scree_error());
+	if (v->wall.batch)
+		v->session.accumulator = v->session.seconds = 0;
+}
+
 static void show_hash(Viewer* v)
 {
-	char sentence[SENTENCE];
-	if (!session_hash(&v->session, sentence))
-		viewer_show(v, sentence);
+	v->session.hashed = viewer_hash(v, &v->session.hash) == SCREE_OK;
+	if (!v->session.hashed)
+		viewer_show(v, scree_error());
 }
 
 // Carries out an action on the world or on the simulated time. Returns false for actions on anything else.
@@ -96,7 +106,7 @@ static bool session_action(Viewer* v, Action action)
 		step_back(v);
 		return true;
 	case ACTION_restart:
-		viewer_load(v, session->name, false);
+		restart(v);
 		return true;
 	case ACTION_slower:
 		session->rate = fmaxf(0.5f * session->rate, SLOWEST);
@@ -133,6 +143,14 @@ static bool session_action(Viewer* v, Action action)
 	}
 }
 
+// Selects the next paint. A wall has only those that do not depend on the last step.
+static void next_paint(Viewer* v)
+{
+	do
+		v->style.paint = (Paint)((v->style.paint + 1) % PAINTS);
+	while (v->wall.batch && !wall_paints(v->style.paint));
+}
+
 // Carries out an action on the look of the world. Returns false for actions on anything else.
 static bool style_action(Viewer* v, Action action)
 {
@@ -149,7 +167,7 @@ static bool style_action(Viewer* v, Action action)
 		v->style.dark = !v->style.dark;
 		return true;
 	case ACTION_paint:
-		v->style.paint = (Paint)((v->style.paint + 1) % PAINTS);
+		next_paint(v);
 		return true;
 #define X(name, key, shown, help)                                       \
 	case ACTION_##name:                                                 \
@@ -206,8 +224,25 @@ static void window_action(Viewer* v, Action action)
 	}
 }
 
+// Returns true if an action is possible. A wall of worlds takes few: shows a message and returns false for all others.
+static bool takes_action(Viewer* v, Action action)
+{
+	static const Action possible[] = {ACTION_pause, ACTION_step,    ACTION_restart, ACTION_slower, ACTION_faster,
+	                                  ACTION_fit,   ACTION_theme,   ACTION_paint,   ACTION_boxes,  ACTION_centers,
+	                                  ACTION_hash,  ACTION_picture, ACTION_window,  ACTION_video,  ACTION_full,
+	                                  ACTION_keys,  ACTION_quit};
+	for (size_t k = 0; k < sizeof possible / sizeof *possible; ++k)
+		if (possible[k] == action)
+			return true;
+	if (v->wall.batch)
+		viewer_show(v, "a wall of worlds cannot do this");
+	return !v->wall.batch;
+}
+
 void input_hold(Viewer* v, Action action, bool down)
 {
+	if (!takes_action(v, action))
+		return;
 	if (action == ACTION_pour)
 		tools_pour(v, down);
 	if (action == ACTION_blast)
@@ -217,7 +252,7 @@ void input_hold(Viewer* v, Action action, bool down)
 bool input_scene_key(Viewer* v, SceneKey key, bool down)
 {
 	uint32_t bit = 1u << key;
-	if (!(player_keys(v->session.scene) & bit))
+	if (v->wall.batch || !(player_keys(v->session.scene) & bit))
 		return false;
 	if (down)
 		rewind_cut(v);
@@ -227,6 +262,8 @@ bool input_scene_key(Viewer* v, SceneKey key, bool down)
 
 void input_action(Viewer* v, Action action)
 {
+	if (!takes_action(v, action))
+		return;
 	if (!session_action(v, action) && !style_action(v, action))
 		window_action(v, action);
 }
@@ -269,6 +306,11 @@ static bool pick(Viewer* v)
 void input_button(Viewer* v, bool right, bool down)
 {
 	update_cursor(v);
+	if (v->wall.batch)
+	{
+		v->panning = down;
+		return;
+	}
 	v->panning = down && (right || !pick(v));
 	if (right)
 		return;

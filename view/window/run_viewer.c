@@ -95,8 +95,14 @@ static bool open_viewer(Loop* loop, char* sentence)
 	*sentence = 0;
 	if (!viewer_update_world(v))
 		return false;
+	v->target = -1;
+	v->code = 2;
+	if (o->worlds > 0 && !viewer_open_wall(v, sentence))
+		return false;
+	v->code = 0;
 	eye_fit_scene(v);
-	rewind_begin(v);
+	if (!v->wall.batch)
+		rewind_begin(v);
 	v->code = 2;
 	if (o->load && !state_load(v, o->load))
 	{
@@ -122,6 +128,7 @@ static void close_viewer(Loop* loop)
 		capture_close(&v->capture);
 		if (v->share.world)
 			share_close(&v->share);
+		wall_close(&v->wall);
 		renderer_close(&v->renderer);
 		rewind_end(v);
 		session_close(&v->session);

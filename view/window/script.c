@@ -77,7 +77,7 @@ static bool hold_key(Viewer* v, const char* name, bool down)
 // Goes to a step of the time line.
 static bool go_to(Viewer* v, int64_t step)
 {
-	bool good = rewind_to(v, step);
+	bool good = !v->wall.batch && rewind_to(v, step);
 	while (good && v->target >= 0)
 		good = advance_to_target(v);
 	return good && v->session.player.steps == step && viewer_update_world(v);
@@ -91,8 +91,9 @@ static void print_inspected(const char* how, const Inspected* inspected)
 
 static void print_state(Viewer* v)
 {
-	char sentence[SENTENCE];
-	uint64_t hash = session_hash(&v->session, sentence) ? v->session.hash : 0;
+	uint64_t hash = 0;
+	if (viewer_hash(v, &hash) != SCREE_OK)
+		hash = 0;
 	printf("scene %s, steps %" PRId64 ", bodies %d, %s, hash %016" PRIx64
 	       ", middle %.3f %.3f, scale %.3f, %s, painted by %s, %s rows, %.2f ms a frame",
 	       v->session.scene->name, v->session.counters.steps, v->session.counters.bodies,

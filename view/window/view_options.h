@@ -14,6 +14,7 @@ typedef struct
 	SceneSleep sleep;
 	const SceneSetting* settings;
 	int setting_count;
+	int worlds;                 // number of worlds of a wall (wall.h); 0: one world
 	int width, height;          // px: size of the window
 	const char *paint, *layers; // texts for style_read
 	bool dark;                  // dark theme

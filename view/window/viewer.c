@@ -38,7 +38,7 @@ bool viewer_update_world(Viewer* v)
 
 bool viewer_fetch(Viewer* v, const Style* style)
 {
-	scree_status status = share_update(&v->share);
+	scree_status status = v->wall.batch ? wall_show(&v->wall, &v->share) : share_update(&v->share);
 	if (status == SCREE_OK && *v->share.sentence)
 		viewer_show(v, v->share.sentence);
 	if (status == SCREE_OK)
@@ -116,6 +116,8 @@ void viewer_select(Viewer* v)
 
 bool viewer_load(Viewer* v, const char* name, bool fresh)
 {
+	if (v->wall.batch && !viewer_may_change(v))
+		return false;
 	bool other = strcmp(name, v->session.name) != 0;
 	rewind_end(v);
 	share_close(&v->share); // session_load may destroy the world, whose rows are shared
@@ -148,14 +150,18 @@ bool viewer_load(Viewer* v, const char* name, bool fresh)
 bool viewer_may_change(Viewer* v)
 {
 	bool replays = session_replays(&v->session);
-	if (replays)
+	if (v->wall.batch)
+		viewer_show(v, "this is a wall of worlds, each of which gets its own inputs: nothing else changes them");
+	else if (replays)
 		viewer_show(v, "this is a recording, whose calls are only repeated: nothing else changes its world");
-	return !replays;
+	return !replays && !v->wall.batch;
 }
 
 bool viewer_move(Viewer* v, const char* device)
 {
 	char sentence[SENTENCE];
+	if (v->wall.batch && !viewer_may_change(v))
+		return false;
 	v->next_device = -1;
 	bool moved = session_hash(&v->session, sentence);
 	uint64_t before = v->session.hash;
@@ -165,4 +171,48 @@ bool viewer_move(Viewer* v, const char* device)
 		         v->session.hash == before ? "stays" : "must not change, but is now", v->session.hash);
 	viewer_show(v, sentence);
 	return moved;
+}
+
+bool viewer_open_wall(Viewer* v, char* sentence)
+{
+	const Session* session = &v->session;
+	if (!wall_paints(v->style.paint))
+	{
+		snprintf(sentence, SENTENCE, "--paint %s cannot show a wall of worlds", paint_names[v->style.paint]);
+		return false;
+	}
+	if (!wall_open(&v->wall, v->options->worlds, session, render_tables_view(&v->renderer.tables, session->scene),
+	               sentence))
+		return false;
+	v->renderer.tiles = (Tiles){v->wall.worlds, v->wall.row_count, v->wall.boxes};
+	v->session.counters.bodies *= v->wall.worlds;
+	v->panel = v->hovers = false;
+	memset(v->style.layers, 0, sizeof v->style.layers); // most of them show only the template
+	return true;
+}
+
+bool viewer_step_wall(Viewer* v)
+{
+	double begin = glfwGetTime();
+	if (wall_step(&v->wall, &v->session.counters) != SCREE_OK)
+	{
+		viewer_fail(v, scree_error());
+		return false;
+	}
+	int stopped = wall_stopped(&v->wall);
+	if (stopped >= 0)
+	{
+		char sentence[SENTENCE];
+		snprintf(sentence, sizeof sentence, "world %d is paused, because it has too many contacts", stopped);
+		viewer_show(v, sentence);
+	}
+	v->session.hashed = false;
+	v->session.seconds += (double)v->session.scene->dt;
+	history_step(&v->history, (float)(1000.0 * (glfwGetTime() - begin)));
+	return true;
+}
+
+scree_status viewer_hash(Viewer* v, uint64_t* hash)
+{
+	return v->wall.batch ? wall_hash(&v->wall, hash) : scree_world_get_hash(v->session.player.world, hash);
 }

@@ -14,6 +14,15 @@ void viewer_fail(Viewer* viewer, const char* sentence);
 // returns false.
 bool viewer_update_world(Viewer* viewer);
 
+// Opens a wall of worlds (wall.h) without the panel. Writes a sentence (SENTENCE of shader.h) and returns false on failure.
+bool viewer_open_wall(Viewer* viewer, char* sentence);
+
+// Takes a step of the wall. On failure ends the viewer and returns false.
+bool viewer_step_wall(Viewer* viewer);
+
+// Computes the hash of the world, or of the first one of a wall.
+scree_status viewer_hash(Viewer* viewer, uint64_t* hash);
+
 // Reads all data of the current world that a style shows. If the device failed, ends the viewer and returns false.
 bool viewer_fetch(Viewer* viewer, const Style* style);
 
@@ -28,7 +37,8 @@ void viewer_select(Viewer* viewer);
 // message and returns false.
 bool viewer_load(Viewer* viewer, const char* name, bool fresh);
 
-// Returns true if the user may change the world. The calls of a recording are only repeated: shows a message and returns false.
+// Returns true if the user may change the world. The calls of a recording are only repeated, and the worlds of a wall get
+// their own inputs: shows a message and returns false.
 bool viewer_may_change(Viewer* viewer);
 
 // Moves the world to a device, and shows whether the hash is the same before and after. On failure shows a message and

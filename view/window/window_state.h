@@ -14,6 +14,7 @@
 #include "view/window/history.h"
 #include "view/window/past.h"
 #include "view/window/session.h"
+#include "view/window/wall.h"
 
 typedef struct GLFWwindow GLFWwindow;
 
@@ -48,6 +49,7 @@ typedef struct
 	Camera camera;
 	Style style;
 	Session session;
+	Wall wall; // worlds that are drawn and stepped in place of the session's world, their template
 	Grab grab;
 	Tools tools;
 	Eye eye;
