@@ -14,7 +14,7 @@ const header = parse(readFileSync(headerPath, "utf8"));
 
 // functions that are not useful in a page: C hooks, device choice, memory that is shared with OpenCL; and recordings and debug
 // draw, which would take the package beyond its largest size
-const left_out = /^scree_(hooks_set|fail_hook_set|call_begin|call_end|opencl_hint|units_sized|shape_scale|sharing_name|devices_get_sized|device_test|world_(get_length_unit|get_def_sized|get_attributes|draw|get_collidable_states_sized|share_\w+|cast_shared_\w+|unshare|measure_bandwidth|\w+_render_rows|get_sharing|move|get_save_bytes|record|end_recording|get_recording|write_interpolated_rows|prepare_queries)|snapshots_compare_sized|movers_move_bodies|body_get_own_mass|record_def_default_sized|draw_def_default_sized|replay_\w+|batch_\w+|\w+_create_with_shapes?|collidable_[gs]et_surface(_sized)?|surface_default_sized)$/;
+const left_out = /^scree_(hooks_set|fail_hook_set|call_begin|call_end|opencl_hint|units_sized|shape_scale|sharing_name|devices_get_sized|device_test|world_(get_length_unit|get_def_sized|get_attributes|draw|get_collidable_states_sized|share_\w+|cast_shared_\w+|unshare|measure_bandwidth|\w+_render_rows|get_sharing|move|get_save_bytes|record|end_recording|get_recording|write_interpolated_rows|prepare_queries)|snapshots_compare_sized|movers_move_bodies|body_get_own_mass|record_def_default_sized|draw_def_default_sized|replay_\w+|batch_\w+|channel_make_sized|\w+_create_with_shapes?|collidable_[gs]et_surface(_sized)?|surface_default_sized)$/;
 // functions that only the classes of runtime.js call: create worlds, read rows, copy snapshots, set defaults of definitions
 const without_method = /^scree_(world_(create|destroy|get_interpolated_rows|snapshot|restore|create_from|clone)|filter_default|\w+_(default|make)_sized)$/;
 // functions and tables of the engine that the module of draw.js uses
@@ -93,7 +93,7 @@ function result(f) {
 
 const described = functions.map((f) => ({...f, ...describe(f), kind: result(f)}));
 
-const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row|difference|record_def|replay_info|draw_def|collidable_state|surface|clock|tasks|batch_def|batch_counters)$/.test(s.name));
+const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row|difference|record_def|replay_info|draw_def|collidable_state|surface|clock|tasks|batch_def|batch_counters|channel)$/.test(s.name));
 const sizes = {contact_size: "contact", hit_size: "hit", visit_size: "visit", joint_size: "joint_event", body_size: "moved_body"};
 function member(struct, m) {
 	let type = code(m.type);
@@ -117,7 +117,7 @@ const functionTable = described.filter((f) => !without_method.test(f.name))
 // Converts names of enumerations, such as scree_body_type to BodyType. Bits such as SCREE_LOCK_X become members of
 // Lock.
 const camel = (name) => name.replace(/(^|_)([a-z0-9])/g, (_, bar, letter) => letter.toUpperCase());
-const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level/.test(name)).map(([name, e]) => {
+const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level|channel/.test(name)).map(([name, e]) => {
 	const names = Object.keys(e.members);
 	let prefix = names[0].slice(0, names[0].lastIndexOf("_") + 1);
 	while (prefix && !names.every((other) => other.startsWith(prefix)))
