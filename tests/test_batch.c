@@ -192,6 +192,33 @@ static void lengths_may_change(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// Visits to a destroyed sensor are in the hash of a world until its next step, so they are refused as sensors are.
+static void visits_are_refused(void** state)
+{
+	(void)state;
+	scree_world* world = open_awake(-10.0f);
+	scree_batch_def def = scree_batch_def_default();
+	scree_batch* batch;
+	scree_body gate, visitor = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
+	scree_body_def gate_def = crate_def(world, SCREE_BODY_STATIC, 0.0f, 0.0f);
+	gate_def.sensor = SCREE_SENSOR_MOVING;
+	OK(scree_body_create(world, &gate_def, &gate));
+	OK(scree_world_step(world, STEP, SUBSTEPS));
+	def.templates = &world;
+	def.template_count = 1;
+	REFUSED(scree_batch_create(&def, &batch),
+	        "scree_batch_create: template 0 has sensors, which worlds of a batch cannot have yet");
+	OK(scree_body_destroy(world, gate));
+	REFUSED(scree_batch_create(&def, &batch),
+	        "scree_batch_create: template 0 has sensors, which worlds of a batch cannot have yet");
+	OK(scree_world_step(world, STEP, SUBSTEPS));
+	OK(scree_batch_create(&def, &batch));
+	scree_batch_destroy(batch);
+	assert_true(scree_body_is_valid(world, visitor));
+	scree_world_destroy(world);
+	assert_int_equal(scree_memory(), 0);
+}
+
 static void bad_arguments_are_refused(void** state)
 {
 	(void)state;
@@ -250,6 +277,7 @@ int main(void)
 	    cmocka_unit_test(scenes_are_equal),   cmocka_unit_test(templates_are_mixed),
 	    cmocka_unit_test(bays_grow),          cmocka_unit_test(places_do_not_matter),
 	    cmocka_unit_test(lengths_may_change), cmocka_unit_test(bad_arguments_are_refused),
+	    cmocka_unit_test(visits_are_refused),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

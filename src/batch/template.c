@@ -55,7 +55,7 @@ static scree_status check_template(const scree_world* world, const char* functio
 		return refuse_template(function, number, "bodies that may sleep");
 	if (world->fields.slots.alive > 0)
 		return refuse_template(function, number, "fields");
-	if (world->sensors.alive > 0)
+	if (world->sensors.alive > 0 || world->sensors.visit_count > 0) // visits to a destroyed sensor end in the next step
 		return refuse_template(function, number, "sensors");
 	if (p->asks)
 		return refuse_template(function, number, "contacts that need approval");
