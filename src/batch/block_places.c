@@ -38,12 +38,6 @@ void block_places_close(Block* block)
 	scree_release(block->unused);
 }
 
-static void add_copy(Block* block, int* count, int from, int to, int row)
-{
-	block->copies[*count] = make_int2(from, to);
-	block->rows[(*count)++] = row;
-}
-
 static scree_status copy(Block* block, int count)
 {
 	return bays_copy(&block->pipeline, block->copies, block->rows, count);
@@ -71,40 +65,44 @@ static scree_status leave(Block* block)
 		if (!(block->plan[row] & PLAN_PAUSE) || !block_runs(block, row))
 			continue;
 		int from = block->bay_of[row], to = block->unused[--block->unused_count];
-		block->paused[row] = (Paused){.h = p->step.h,
-		                              .dirty = p->dirty,
-		                              .surfaces = p->surfaces_changed,
-		                              .presses = p->counters.presses != 0,
-		                              .taut = p->taut != 0,
-		                              .lengths = p->lengths_vary};
-		add_copy(block, &count, from, to, row);
+		block->paused[row] = (Pending){.h = p->step.h,
+		                               .dirty = p->dirty,
+		                               .surfaces = p->surfaces_changed,
+		                               .presses = p->counters.presses != 0,
+		                               .taut = p->taut != 0,
+		                               .lengths = p->lengths_vary};
+		block_add_copy(block, &count, from, to, row);
 		block->bay_of[row] = to;
 		block->row_of[from] = -1;
 	}
 	return copy(block, count);
 }
 
+static Pending template_pending(const Pipeline* from)
+{
+	// joints of the template that have not begun, or that have broken since, change the pairs that never touch
+	return (Pending){.h = from->step.h,
+	                 .dirty = from->dirty || from->can_break,
+	                 .surfaces = from->surfaces_changed,
+	                 .presses = from->counters.presses != 0,
+	                 .taut = from->taut != 0};
+}
+
+void block_pend(Block* block, const Pending* pending)
+{
+	Pipeline* p = &block->pipeline;
+	p->dirty |= pending->dirty;
+	p->surfaces_changed |= pending->surfaces;
+	p->counters.presses |= pending->presses; // Step.presses, in the next step
+	p->taut |= pending->taut;
+	p->lengths_vary |= pending->lengths || pending->h != p->step.h;
+}
+
 // Sets the flags of the next step that a world needs which runs again, or is put back to its template.
 static void add_pending(Block* block, int row, bool resets)
 {
-	Pipeline* p = &block->pipeline;
-	const Pipeline* from = &block_template(block, row)->pipeline;
-	const Paused* paused = block->paused + row;
-	if (!resets)
-	{
-		p->dirty |= paused->dirty;
-		p->surfaces_changed |= paused->surfaces;
-		p->counters.presses |= paused->presses;
-		p->taut |= paused->taut;
-		p->lengths_vary |= paused->lengths || paused->h != p->step.h;
-		return;
-	}
-	// joints of the template that have not begun, or that have broken since, change the pairs that never touch
-	p->dirty |= from->dirty || from->can_break;
-	p->surfaces_changed |= from->surfaces_changed;
-	p->taut |= from->taut;
-	p->counters.presses |= from->counters.presses; // Step.presses, in the next step
-	p->lengths_vary |= from->step.h != p->step.h;
+	Pending pending = resets ? template_pending(&block_template(block, row)->pipeline) : block->paused[row];
+	block_pend(block, &pending);
 }
 
 // Returns the first row from `row` on whose byte is not 0; the number of worlds if there is none.
@@ -132,7 +130,7 @@ scree_status block_restore(Block* block, const uint8_t* mask, int* count)
 		if (number != last)
 			add_pending(block, row, true);
 		last = number;
-		add_copy(block, count, block->spare_of[number], block->bay_of[row], row);
+		block_add_copy(block, count, block->spare_of[number], block->bay_of[row], row);
 	}
 	return copy(block, *count);
 }
@@ -160,7 +158,8 @@ static scree_status enter(Block* block, int live)
 		else if (to != from)
 			block->row_of[from] = -1;
 		if (resets || to != from)
-			add_copy(block, &count, resets ? block->spare_of[block->template_of[block->first + row]] : from, to, row);
+			block_add_copy(block, &count, resets ? block->spare_of[block->template_of[block->first + row]] : from, to,
+			               row);
 		block->bay_of[row] = to;
 		block->row_of[to] = row;
 	}
@@ -172,7 +171,7 @@ static scree_status vacate(Block* block, int live)
 {
 	int count = 0;
 	for (int bay = live; bay < block->pipeline.live_bays; ++bay)
-		add_copy(block, &count, block->empty, bay, -1);
+		block_add_copy(block, &count, block->empty, bay, -1);
 	return copy(block, count);
 }
 

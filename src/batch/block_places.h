@@ -8,6 +8,9 @@
 scree_status block_places_open(Block* block);
 void block_places_close(Block* block);
 
+// Sets the flags of the next step that a world needs which begins to run.
+void block_pend(Block* block, const Pending* pending);
+
 // Puts worlds back to their templates, if none is paused. mask: as in scree_batch_reset. Sets *count to their number; they
 // are the first ones of Block.copies and Block.rows.
 scree_status block_restore(Block* block, const uint8_t* mask, int* count);

@@ -4,6 +4,7 @@
 // States come and go through spare bays, whose items are adjacent: one read or write of each pool serves many worlds.
 #include "batch/block_rows.h"
 #include "batch/block_channels.h"
+#include "batch/block_places.h"
 #include "batch/world_row.h"
 #include "pools/bays.h"
 #include "step/bay_layout.h"
@@ -31,13 +32,6 @@ static const Template* template_of_world(const Block* block, int world)
 
 static bool runs(const Block* block, int world) { return block_runs(block, world - block->first); }
 
-// Adds a copy of a world between its bay and a spare one.
-static void set_copy(Block* block, int n, int from, int to, int row)
-{
-	block->copies[n] = make_int2(from, to);
-	block->rows[n] = row;
-}
-
 static int bay_items(const Bays* bays, int kind)
 {
 	const int items[ROW_KINDS] = {[ROW_BODIES] = bays->bodies,
@@ -45,14 +39,6 @@ static int bay_items(const Bays* bays, int kind)
 	                              [ROW_CONTACTS] = 1 << bays->contact_bits,
 	                              [ROW_JOINTS] = 1 << bays->joint_bits};
 	return items[kind];
-}
-
-static void count_items(const Template* from, int contacts, int count[ROW_KINDS])
-{
-	count[ROW_BODIES] = from->bodies;
-	count[ROW_COLLIDABLES] = from->collidables;
-	count[ROW_CONTACTS] = contacts;
-	count[ROW_JOINTS] = from->joints;
 }
 
 size_t block_row_bytes(const Block* block)
@@ -64,7 +50,7 @@ size_t block_row_bytes(const Block* block)
 		const Template* from = template_of_world(block, block->first + k);
 		if (k > 0 && from == template_of_world(block, block->first + k - 1))
 			continue;
-		count_items(from, 1 << block->pipeline.bays.contact_bits, count);
+		row_count(from, 1 << block->pipeline.bays.contact_bits, count);
 		size_t bytes = row_layout(count, NULL);
 		most = bytes > most ? bytes : most;
 	}
@@ -122,28 +108,20 @@ static scree_status read_staged(Staged* s, PoolId pool, void* items)
 	return b->f->read(b, pool, first, s->count * count, items);
 }
 
-static int used_slots(const CollidablePair* pair, int count)
-{
-	while (count > 0 && pair[count - 1].x < 0)
-		--count;
-	return count;
-}
-
 static void write_head(Staged* s, int n, int world)
 {
 	const Block* block = s->block;
 	const Pipeline* p = &block->pipeline;
-	const Paused* paused = runs(block, world) ? NULL : block->paused + (world - block->first);
+	const Pending* paused = runs(block, world) ? NULL : block->paused + (world - block->first);
 	RowHead* head = s->heads + n;
 	int bits = p->bays.contact_bits;
 	*head = (RowHead){.version = s->work->version,
 	                  .fingerprint = s->templates[n]->fingerprint,
 	                  .dt = p->step.dt,
-	                  .h = s->states[n].substep,
 	                  .surfaces_changed = paused ? paused->surfaces : p->surfaces_changed,
 	                  .state = s->states[n]};
 	head->state.crowded = 0;
-	count_items(s->templates[n], used_slots(s->pair + ((size_t)n << bits), 1 << bits), head->count);
+	row_count(s->templates[n], row_slots(s->pair + ((size_t)n << bits), 1 << bits), head->count);
 }
 
 // Copies the items of a pool to the rows.
@@ -170,12 +148,12 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 	Block* block = s->block;
 	Backend* b = block->backend;
 	s->count = count;
-	for (int n = 0; n < count; ++n)
+	for (int n = 0; n < count;)
 	{
 		int world = s->work->worlds[copies[n]];
 		s->rows[n] = row_of(s->work, copies[n]);
 		s->templates[n] = template_of_world(block, world);
-		set_copy(block, n, block->bay_of[world - block->first], block->stage + n, -1);
+		block_add_copy(block, &n, block->bay_of[world - block->first], block->stage + n, -1);
 	}
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, count));
 	TRY(b->f->read(b, POOL_bay_state, block->stage, count, s->states));
@@ -234,7 +212,7 @@ scree_status block_check(Block* block, const RowWork* work)
 		if (work->row_bytes == 0 && k > 0 && from == template_of_world(block, work->worlds[copies[k - 1]]))
 			continue; // the same row was checked for the same template
 		TRY(row_open(row_of(work, copies[k]), work->bytes, work->version, work->function, number, &head));
-		count_items(from, head.count[ROW_CONTACTS], needed);
+		row_count(from, head.count[ROW_CONTACTS], needed);
 		if (head.fingerprint != from->fingerprint || memcmp(needed, head.count, sizeof needed) != 0)
 			return fail(SCREE_ERROR_INVALID,
 			            "%s: state %d is that of a world with another structure or other settings than the template of "
@@ -266,26 +244,18 @@ static scree_status read_items(Staged* s, PoolId pool)
 	return b->f->write(b, pool, first, s->count * count, s->items);
 }
 
-// Sets flags of the next step of a world.
-static void add_flags(Block* block, const RowHead* head, int row)
+// Notes what the next step of a world must do once.
+static void note_pending(Block* block, const RowHead* head, int row)
 {
-	Pipeline* p = &block->pipeline;
-	bool dirty = p->bay_joints || p->excluded > 0;
-	if (!block_runs(block, row))
-	{
-		block->paused[row] = (Paused){.h = head->h,
-		                              .dirty = dirty,
-		                              .surfaces = head->surfaces_changed != 0,
-		                              .presses = head->state.presses != 0,
-		                              .taut = head->state.taut_seen != 0,
-		                              .lengths = true};
-		return;
-	}
-	p->dirty |= dirty;
-	p->surfaces_changed |= head->surfaces_changed != 0;
-	p->taut |= head->state.taut_seen;
-	p->counters.presses |= head->state.presses;
-	p->lengths_vary |= head->state.substep != p->step.h;
+	Pending pending = {.h = head->state.substep,
+	                   .dirty = block->pipeline.bay_joints || block->pipeline.excluded > 0,
+	                   .surfaces = head->surfaces_changed != 0,
+	                   .presses = head->state.presses != 0,
+	                   .taut = head->state.taut_seen != 0};
+	if (block_runs(block, row))
+		block_pend(block, &pending);
+	else
+		block->paused[row] = pending;
 }
 
 // Writes the values of the worlds in the spare bays.
@@ -314,7 +284,7 @@ static scree_status load_some(Staged* s)
 			TRY(read_items(s, (PoolId)pool));
 	}
 	for (int k = 0; k < s->copies; ++k)
-		add_flags(block, s->heads + (block->copies[k].x - block->stage), block->rows[k]);
+		note_pending(block, s->heads + (block->copies[k].x - block->stage), block->rows[k]);
 	TRY(write_values(s));
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, s->copies));
 	TRY(block_begin_touches(block, s->copies));
@@ -338,7 +308,7 @@ static scree_status add_copy(Staged* s, char* row, int world)
 		++s->count;
 	}
 	int row_of_world = world - block->first;
-	set_copy(block, s->copies++, block->stage + s->count - 1, block->bay_of[row_of_world], row_of_world);
+	block_add_copy(block, &s->copies, block->stage + s->count - 1, block->bay_of[row_of_world], row_of_world);
 	return SCREE_OK;
 }
 

@@ -8,12 +8,12 @@
 #define PLAN_PAUSE 1
 #define PLAN_RESET 2
 
-typedef struct // values that a paused world needs when it runs again
+typedef struct // what the next step of a block must do once for a world that begins to run
 {
-	float h;                             // s: substep of its last step
-	bool dirty, surfaces, presses, taut; // Pipeline.dirty, surfaces_changed, counters.presses, taut when it was paused
-	bool lengths;                        // and lengths_vary, so that h may be that of other worlds
-} Paused;
+	float h;                             // s: substep of the last step of the world
+	bool dirty, surfaces, presses, taut; // for Pipeline.dirty, surfaces_changed, counters.presses, taut
+	bool lengths;                        // for Pipeline.lengths_vary: h is that of the block, whose worlds differ in it
+} Pending;
 
 typedef struct
 {
@@ -32,7 +32,7 @@ typedef struct
 	int* rows;              // row of the world of each copy
 	int* bay_of;            // by row: bay of the world; below `worlds` for a world that runs, else spare
 	int* row_of;            // by bay, below `worlds`: row of its world, -1 for none
-	Paused* paused;         // by row
+	Pending* paused;        // by row
 	uint8_t* plan;          // by row: bits of PLAN_*, for block_arrange
 	int* unused;            // spare bays for paused worlds that contain none
 	int unused_count, paused_most; // number of these; number of spare bays for paused worlds
@@ -51,6 +51,13 @@ typedef struct
 static inline const Template* block_template(const Block* block, int row)
 {
 	return block->templates + block->template_of[block->first + row];
+}
+
+// Adds a copy of a world to the list of the block. row: row of the world, -1 if the copy is no world of the batch.
+static inline void block_add_copy(Block* block, int* count, int from, int to, int row)
+{
+	block->copies[*count] = make_int2(from, to);
+	block->rows[(*count)++] = row;
 }
 
 static inline bool block_runs(const Block* block, int row) { return block->bay_of[row] < block->worlds; }

@@ -14,28 +14,16 @@
 #include "world/upload/upload.h"
 #include <string.h>
 
-static int used_slots(const Template* from)
-{
-	int count = from->contacts;
-	while (count > 0 && from->image.pair[count - 1].x < 0)
-		--count;
-	return count;
-}
-
 scree_status row_of_world(const Template* read, const char* function, char** row, size_t* bytes)
 {
 	const Pipeline* p = &read->pipeline;
 	size_t at[POOL_COUNT];
 	RowHead head = {.version = row_version(),
 	                .fingerprint = read->fingerprint,
-	                .count = {[ROW_BODIES] = read->bodies,
-	                          [ROW_COLLIDABLES] = read->collidables,
-	                          [ROW_CONTACTS] = used_slots(read),
-	                          [ROW_JOINTS] = read->joints},
 	                .dt = p->step.dt,
-	                .h = p->step.h,
 	                .surfaces_changed = p->surfaces_changed,
 	                .state = template_state(read)};
+	row_count(read, row_slots(read->image.pair, read->contacts), head.count);
 	*bytes = row_layout(head.count, at);
 	*row = scree_allocate(*bytes);
 	if (!*row)
@@ -106,8 +94,8 @@ static void set_duties(Pipeline* p, const RowHead* head)
 {
 	Step* step = &p->step;
 	step->dt = head->dt;
-	step->h = head->h;
-	step->inv_h = head->h > 0.0f ? 1.0f / head->h : 0.0f;
+	step->h = head->state.substep;
+	step->inv_h = step->h > 0.0f ? 1.0f / step->h : 0.0f;
 	step->has_drives = p->has_drives;
 	step->springs = p->springs;
 	step->couplings = p->couplings;
@@ -166,7 +154,7 @@ static void take_host(scree_world* world, const RowHead* head, const char* row)
 	structure_changed(world);
 }
 
-static scree_status take_aligned(scree_world* world, const Template* from, const RowHead* head, const char* row)
+static scree_status take_items(scree_world* world, const Template* from, const RowHead* head, const char* row)
 {
 	Pipeline* p = &world->pipeline;
 	Backend* b = world->backend;
@@ -189,16 +177,9 @@ static scree_status take_aligned(scree_world* world, const Template* from, const
 	return b->f->read(b, POOL_counters, 0, 1, &counters);
 }
 
-scree_status world_take_row(scree_world* world, const char* function, const Template* from, const char* row)
+scree_status world_take_row(scree_world* world, const Template* from, const char* row)
 {
 	RowHead head;
 	memcpy(&head, row, sizeof head);
-	char* aligned = scree_allocate((size_t)head.bytes);
-	if (!aligned)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a state of %llu bytes", function,
-		            (unsigned long long)head.bytes);
-	memcpy(aligned, row, (size_t)head.bytes);
-	scree_status status = world_note(world, take_aligned(world, from, &head, aligned));
-	scree_release(aligned);
-	return status;
+	return world_note(world, take_items(world, from, &head, row));
 }

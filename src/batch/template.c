@@ -157,7 +157,6 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	made->contacts = c->contacts;
 	made->joints = c->joints;
 	made->hidden = world_hidden_hash(world);
-	made->length_unit = world->def.length_unit;
 	read_settings(world, made);
 	size_t kinematics = (size_t)world->kinematic_count;
 	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));

@@ -13,7 +13,6 @@ typedef struct
 	int bodies, collidables, contacts, joints, attributes; // numbers of slots in use
 	int first_attribute, first_sample; // indices of its first attribute and path sample in the pools of a batch
 	int material_table;                // number of its table of pairs of materials; 0, an empty one, if it has none
-	float length_unit;                 // as scree_world_def.length_unit; 0: metres
 	Pipeline pipeline;                 // flags, counters and constants of the last step; owns no memory
 	StepRequest request;               // settings of a step; without arrays
 	uint64_t hidden;                   // the part of the hash that only the host has

@@ -120,8 +120,7 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 	{
 		if (!(block->plan[k] & PLAN_RESET))
 			continue;
-		block->copies[count] = make_int2(block->spare_of[block->template_of[block->first + k]], block->bay_of[k]);
-		block->rows[count++] = k;
+		block_add_copy(block, &count, block->spare_of[block->template_of[block->first + k]], block->bay_of[k], k);
 	}
 	return block_apply_reset(block, count);
 }

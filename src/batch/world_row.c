@@ -58,6 +58,21 @@ uint64_t row_version(void)
 
 _Static_assert(sizeof(RowHead) % ROW_ALIGN == 0, "the items of the first pool follow the head");
 
+int row_slots(const CollidablePair* pair, int slots)
+{
+	while (slots > 0 && pair[slots - 1].x < 0)
+		--slots;
+	return slots;
+}
+
+void row_count(const Template* from, int contacts, int count[ROW_KINDS])
+{
+	count[ROW_BODIES] = from->bodies;
+	count[ROW_COLLIDABLES] = from->collidables;
+	count[ROW_CONTACTS] = contacts;
+	count[ROW_JOINTS] = from->joints;
+}
+
 static size_t aligned(size_t bytes) { return (bytes + ROW_ALIGN - 1) / ROW_ALIGN * ROW_ALIGN; }
 
 size_t row_layout(const int count[ROW_KINDS], size_t at[POOL_COUNT])

@@ -26,11 +26,10 @@ typedef struct // 144 bytes: the head of a row
 	uint64_t fingerprint; // Template.fingerprint
 	uint64_t bytes;       // size of the row
 	int count[ROW_KINDS]; // numbers of items
-	float dt, h;          // s: the last step with dt above 0, and its substeps; 0 if there was none
+	float dt;             // s: the last step with dt above 0; 0 if there was none
 	int surfaces_changed; // 1 if surfaces of contacts may have to be computed again
-	int unused;
 	BayState state;
-	uint64_t reserved[2]; // 0
+	uint64_t reserved[3]; // 0
 } RowHead;
 
 #define ROW_MAGIC 0x776f726565726373u // "screerow"
@@ -41,6 +40,12 @@ int row_kind(PoolId pool);
 
 // Returns the version of rows, which depends on the pools and the types of their items.
 uint64_t row_version(void);
+
+// Returns the number of contact slots up to the last one in use.
+int row_slots(const CollidablePair* pair, int slots);
+
+// Sets the numbers of items of a row.
+void row_count(const Template* from, int contacts, int count[ROW_KINDS]);
 
 // Returns the size of a row with these numbers of items. Sets at[pool], if `at` is not null, to the first byte of a
 // pool.

@@ -22,6 +22,7 @@ static Step step_between(const Pipeline* pipeline)
 	Step step = pipeline->step;
 	step_bays(&step, &pipeline->bays);
 	step.belts = pipeline->belts;
+	step.paths = pipeline->paths;
 	return step;
 }
 
@@ -35,7 +36,6 @@ static scree_status run_one(Pipeline* pipeline, const Step* step, int kernel, in
 scree_status bays_run(Pipeline* pipeline, int kernel, int begin, int end, int argument)
 {
 	Step step = step_between(pipeline);
-	step.paths = pipeline->paths;
 	return run_one(pipeline, &step, kernel, begin, end, argument);
 }
 
@@ -63,9 +63,8 @@ static scree_status reserve_bays(Pipeline* pipeline, int spares)
 	TRY(reserve(pipeline, PER_CONTACT, bays_end(bays->worlds, spares, 1 << bays->contact_bits)));
 	TRY(reserve(pipeline, PER_JOINT, bays_end(bays->worlds, spares, 1 << bays->joint_bits)));
 	TRY(pipeline_reserve(pipeline, PER_BAY, bays->worlds + spares));
-	Step step = step_between(pipeline);
-	TRY(run_one(pipeline, &step, KERNEL_bay_clear_contact, contacts, b->capacity[PER_CONTACT], 0));
-	TRY(run_one(pipeline, &step, KERNEL_bay_clear_joint, joints, b->capacity[PER_JOINT], 0));
+	TRY(bays_run(pipeline, KERNEL_bay_clear_contact, contacts, b->capacity[PER_CONTACT], 0));
+	TRY(bays_run(pipeline, KERNEL_bay_clear_joint, joints, b->capacity[PER_JOINT], 0));
 	pipeline->spare_bays = spares;
 	return SCREE_OK;
 }
@@ -158,12 +157,11 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	pipeline->placed = most;
 	TRY(b->f->write(b, POOL_bay_copy, 0, count, copies));
 	TRY(b->f->write(b, POOL_bay_row, 0, count, rows));
-	Step step = step_between(pipeline);
-	TRY(run_one(pipeline, &step, KERNEL_bay_copy_body, 0, count * bays->bodies, 0));
-	TRY(run_one(pipeline, &step, KERNEL_bay_copy_collidable, 0, count * bays->collidables, 0));
-	TRY(run_one(pipeline, &step, KERNEL_bay_copy_contact, 0, count << bays->contact_bits, 0));
+	TRY(bays_run(pipeline, KERNEL_bay_copy_body, 0, count * bays->bodies, 0));
+	TRY(bays_run(pipeline, KERNEL_bay_copy_collidable, 0, count * bays->collidables, 0));
+	TRY(bays_run(pipeline, KERNEL_bay_copy_contact, 0, count << bays->contact_bits, 0));
 	if (pipeline->bay_joints)
-		TRY(run_one(pipeline, &step, KERNEL_bay_copy_joint, 0, count << bays->joint_bits, 0));
+		TRY(bays_run(pipeline, KERNEL_bay_copy_joint, 0, count << bays->joint_bits, 0));
 	if (live == 0) // no step visits the copies
 		return SCREE_OK;
 	pipeline->split = false;
@@ -222,15 +220,13 @@ scree_status bays_fit(Pipeline* pipeline, int contacts)
 scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes)
 {
 	Backend* b = pipeline->backend;
-	Step step = step_between(pipeline);
-	TRY(run_one(pipeline, &step, KERNEL_bay_hash, 0, pipeline->bays.worlds, 0));
+	TRY(bays_run(pipeline, KERNEL_bay_hash, 0, pipeline->bays.worlds, 0));
 	return b->f->read(b, POOL_bay_hash, 0, pipeline->bays.worlds, hashes);
 }
 
 scree_status bays_counters(Pipeline* pipeline, BayCounters* counters)
 {
 	Backend* b = pipeline->backend;
-	Step step = step_between(pipeline);
-	TRY(run_one(pipeline, &step, KERNEL_bay_counters, 0, pipeline->bays.worlds, 0));
+	TRY(bays_run(pipeline, KERNEL_bay_counters, 0, pipeline->bays.worlds, 0));
 	return b->f->read(b, POOL_bay_counters, 0, pipeline->bays.worlds, counters);
 }

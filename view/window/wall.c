@@ -215,10 +215,10 @@ scree_status wall_show(Wall* wall, Share* share)
 		scree_vec way = way_to(wall, world);
 		for (int k = 0; k < wall->row_count; ++k, ++out)
 		{
-			const float* at = poses + (size_t)world * (size_t)columns + (size_t)(POSE * (wall->body_of[k] + 1)) - POSE;
 			*out = wall->rows[k];
 			if (wall->body_of[k] >= 0)
 			{
+				const float* at = poses + (size_t)world * (size_t)columns + (size_t)(POSE * wall->body_of[k]);
 				scree_pose pose = {{at[0], at[1]}, {at[2], at[3]}};
 				out->pose = scree_pose_multiply(pose, wall->places[k]);
 				out->center = scree_rot_apply(pose.rotation, wall->centers[k]);

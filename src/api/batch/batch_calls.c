@@ -209,7 +209,7 @@ scree_status api_batch_get_counters_sized(scree_batch* batch, scree_batch_counte
 		                            .touching = rows[k].touching,
 		                            .penetration = rows[k].penetration,
 		                            .joint_gap = rows[k].joint_gap};
-		float unit = batch->templates[batch->template_of[k]].length_unit;
+		float unit = batch->templates[batch->template_of[k]].world->def.length_unit;
 		if (unit != 0.0f)
 		{
 			units_scale((double)unit, (char*)&now.penetration, 1, 1, TO_UNITS);

@@ -10,7 +10,7 @@
 static scree_vec metric_gravity(const scree_batch* batch, const scree_vec* gravity, int world)
 {
 	scree_vec metres = gravity[world];
-	float unit = batch->templates[batch->template_of[world]].length_unit;
+	float unit = batch->templates[batch->template_of[world]].world->def.length_unit;
 	if (unit != 0.0f)
 		units_scale((double)unit, (char*)&metres, 2, 1, TO_METRES);
 	return metres;

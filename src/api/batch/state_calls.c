@@ -146,7 +146,7 @@ static scree_status make_world(const char* function, const Template* from, scree
 	alone.threads = 1;
 	TRY(scree_world_clone(from->world, def ? def : &alone, made));
 	(*made)->def.gravity = gravity;
-	scree_status status = world_take_row(*made, function, from, row);
+	scree_status status = world_take_row(*made, from, row);
 	if (status == SCREE_OK)
 		status = recovery_begin(*made, function); // the state that is kept for recovery is that of the row
 	if (status == SCREE_OK)
