@@ -1,28 +1,10 @@
-# scene_library.cmake -- builds the library scree_scene, static and shared, with the forms of scree that this build has. Its global
-# names begin with scree_scene_.
+# scene_library.cmake -- builds the library scree_scene.
 
 # files below scene/ that its functions call
 add_library(scree_scene_base OBJECT src/platform/processor.c tools/common/clock.c tools/common/open_input.c tools/common/whole_file.c)
 scree_flags(scree_scene_base)
 target_compile_definitions(scree_scene_base PRIVATE SCREE_LANES=${lanes})
-set(objects scree_scene_objects scree_scene_base)
-set(contents_STATIC $<TARGET_OBJECTS:scree_scene_objects> $<TARGET_OBJECTS:scree_scene_base>)
-set(contents_SHARED ${contents_STATIC})
-if(SCREE_LOCAL_NAMES)
-	scree_names(contents_STATIC scree_scene_ ${objects})
-endif()
-foreach(form STATIC SHARED)
-	string(TOLOWER ${form} name)
-	if(NOT TARGET scree_${name})
-		continue()
-	endif()
-	add_library(scree_scene_${name} ${form} ${contents_${form}})
-	add_library(scree::scene_${name} ALIAS scree_scene_${name})
-	set_target_properties(scree_scene_${name} PROPERTIES EXPORT_NAME scene_${name} OUTPUT_NAME scree_scene LINKER_LANGUAGE C)
-	target_link_libraries(scree_scene_${name} PUBLIC scree_${name})
-	target_link_options(scree_scene_${name} PUBLIC $<BUILD_INTERFACE:${SCREE_LINK_FLAGS}>)
-	add_dependencies(scree_products scree_scene_${name})
-endforeach()
+scree_second_library(scene scree_scene_objects scree_scene_base)
 if(TARGET scree_scene_static)
 	# an installed library names Jansson only, which pkg-config may not know there
 	target_link_libraries(scree_scene_static INTERFACE $<BUILD_INTERFACE:${jansson}> $<INSTALL_INTERFACE:jansson>
@@ -30,11 +12,4 @@ if(TARGET scree_scene_static)
 endif()
 if(TARGET scree_scene_shared)
 	target_link_libraries(scree_scene_shared PRIVATE $<BUILD_INTERFACE:${jansson}> m)
-	set_target_properties(scree_scene_shared PROPERTIES VERSION ${PROJECT_VERSION}
-		SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-endif()
-if(TARGET scree_scene_shared AND (BUILD_SHARED_LIBS OR NOT TARGET scree_scene_static))
-	add_library(scree::scene ALIAS scree_scene_shared)
-else()
-	add_library(scree::scene ALIAS scree_scene_static)
 endif()
