@@ -98,16 +98,18 @@ void known_close(Known* known)
 	*known = (Known){0};
 }
 
-bool known_find(const Known* known, const char* scene, const char* settings, int steps, uint64_t* hash)
+bool known_agrees(const Known* known, const char* path, const char* scene, const char* settings, int steps,
+                  uint64_t hash)
 {
 	for (int k = 0; k < known->count; ++k)
 	{
 		const KnownRow* row = &known->rows[k];
-		if (row->steps == steps && strcmp(row->scene, scene) == 0 && strcmp(row->settings, settings) == 0)
-		{
-			*hash = row->hash;
-			return true;
-		}
+		if (row->steps != steps || strcmp(row->scene, scene) != 0 || strcmp(row->settings, settings) != 0)
+			continue;
+		if (row->hash != hash)
+			fprintf(stderr, "%s bench: %s is invalid: its hash is %016" PRIx64 ", but %s has %016" PRIx64 "\n",
+			        program_name, scene, hash, path, row->hash);
+		return row->hash == hash;
 	}
-	return false;
+	return true;
 }

@@ -22,8 +22,9 @@ typedef struct
 int known_open(const char* path, Known* known);
 void known_close(Known* known);
 
-// Finds the hash of a scene with these settings after this number of steps, and writes it to *hash. Returns false if
-// the file has no such row.
-bool known_find(const Known* known, const char* scene, const char* settings, int steps, uint64_t* hash);
+// Returns false and prints an error message if the file `path` has another hash of a scene with these settings after this
+// number of steps.
+bool known_agrees(const Known* known, const char* path, const char* scene, const char* settings, int steps,
+                  uint64_t hash);
 
 #endif
