@@ -160,22 +160,6 @@ KERNEL(channel_joint)
 	}
 }
 
-// Returns a collidable as the leaf of a tree for queries.
-INLINE QueryLeaf channel_leaf(const Pools* p, int k)
-{
-	WorldShape at = collidable_place(p, k);
-	QueryLeaf seen;
-	seen.x = at.x;
-	seen.y = at.y;
-	seen.c = at.c;
-	seen.s = at.s;
-	seen.attribute = at.attribute;
-	seen.body = at.body;
-	seen.collidable = k;
-	seen.kinds = 0u;
-	return seen;
-}
-
 // Item: a ray in a live bay. Writes the fraction of its path at which it meets the first collidable, or 1. The ray moves
 // with its body, which it does not meet.
 KERNEL(channel_ray)
@@ -204,12 +188,10 @@ KERNEL(channel_ray)
 		Filter filter = p->filter[k];
 		if (!((c->mask & filter.category) && (c->category & filter.mask)))
 			continue;
-		QueryLeaf seen = channel_leaf(p, k);
 		WorldShape place = collidable_place(p, k);
-		float out = absolute(place.x) + absolute(place.y);
 		QueryResult found = query_nothing();
-		if (box_overlap(way, world_box(place, p->attribute + place.attribute, QUERY_MARGIN + QUERY_SPACING * out)) &&
-		    query_meets(p, seen, &asked, QUERY_RAYS, &found))
+		if (box_overlap(way, query_box_at(p, place)) &&
+		    query_meets(p, query_leaf_of(place, k, 0u), &asked, QUERY_RAYS, &found))
 			nearest = minimum(nearest, found.fraction);
 	}
 	at.row[c->column] = nearest;

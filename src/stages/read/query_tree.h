@@ -35,6 +35,28 @@ INLINE int query_holds(const Pools* p, int k, WorldShape at)
 	return shift <= 0.5f * SPECULATIVE_DISTANCE && !box_is_empty(p->box[k]);
 }
 
+// Returns the box of a collidable at a pose, with the margin for rounding.
+INLINE Float4 query_box_at(const Pools* p, WorldShape at)
+{
+	float out = absolute(at.x) + absolute(at.y);
+	return world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
+}
+
+// Returns the row of collidable k at a pose. kinds: as QueryLeaf.kinds.
+INLINE QueryLeaf query_leaf_of(WorldShape at, int k, Word kinds)
+{
+	QueryLeaf seen;
+	seen.x = at.x;
+	seen.y = at.y;
+	seen.c = at.c;
+	seen.s = at.s;
+	seen.attribute = at.attribute;
+	seen.body = at.body;
+	seen.collidable = k;
+	seen.kinds = kinds;
+	return seen;
+}
+
 // Writes the row and the box of the leaf of collidable k. place: number of the leaf; kind: kind of the collidable.
 INLINE void query_leaf_write(const Pools* p, const GLOBAL Tree* tree, int place, int k, int kind)
 {
@@ -47,18 +69,10 @@ INLINE void query_leaf_write(const Pools* p, const GLOBAL Tree* tree, int place,
 	else if (p->argument & TREE_PATHS)
 		box = query_way_box(p, k, at);
 	else
-		box = world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
-	QueryLeaf seen;
-	seen.x = at.x;
-	seen.y = at.y;
-	seen.c = at.c;
-	seen.s = at.s;
-	seen.attribute = at.attribute;
-	seen.body = at.body;
-	seen.collidable = k;
-	seen.kinds =
+		box = query_box_at(p, at);
+	Word kinds =
 	    (kind & KIND_SENSOR ? LEAF_SENSOR : 1u << (kind - 1)) | (filter.category && filter.mask ? LEAF_LISTENS : 0u);
-	p->query_leaf_row[tree->leaf_begin + place] = seen;
+	p->query_leaf_row[tree->leaf_begin + place] = query_leaf_of(at, k, kinds);
 	box_pack(p->query_box, tree->begin[0] + place, box);
 }
 
