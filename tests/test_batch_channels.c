@@ -3,6 +3,7 @@
 //
 // Formula: hash and outputs of a world of a batch = hash and values of the same world alone, to which the same inputs were
 // given by calls, bit by bit.
+#include "support/batch_checks.h"
 #include "support/make_joints.h"
 #include "support/second_device.h"
 
@@ -19,13 +20,7 @@ typedef struct // a world with handles of the objects that channels name
 	scree_joint axles[2], spring;
 } Rig;
 
-static uint32_t random_state = 7;
-
-static float random_between(float low, float high)
-{
-	random_state = random_state * 1664525u + 1013904223u;
-	return low + (high - low) * (float)(random_state >> 8) / 16777216.0f;
-}
+static float random_between(float low, float high) { return low + (high - low) * (float)random_word() / 16777216.0f; }
 
 static scree_world* open_alone(float unit)
 {
@@ -360,6 +355,7 @@ static void channels_are_calls(void** state)
 {
 	(void)state;
 	const Place places[] = {{"cpu", 1, 0, STEPS}, {"cpu", 2, 1, STEPS}, {"cpu", 1, 4, STEPS}, {second_device, 0, 0, 8}};
+	random_state = 7;
 	Rig rig = open_rig(1.0f);
 	for (size_t k = 0; k < sizeof places / sizeof *places; ++k)
 		if (places[k].device[0])
@@ -407,13 +403,6 @@ static void templates_may_lack_objects(void** state)
 	scree_world_destroy(worlds[1]);
 	assert_int_equal(scree_memory(), 0);
 }
-
-#define REFUSED(call, sentence)                       \
-	do                                                \
-	{                                                 \
-		assert_int_equal(call, SCREE_ERROR_INVALID);  \
-		assert_string_equal(scree_error(), sentence); \
-	} while (0)
 
 static void bad_channels_are_refused(void** state)
 {

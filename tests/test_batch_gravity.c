@@ -3,6 +3,7 @@
 //
 // Formula: after any sequence of steps, resets, pauses and changes of gravity, hash(world in a batch) = hash(the same world alone
 // after the same sequence), where alone a reset builds the world again, and scree_world_set_gravity sets its gravity.
+#include "support/batch_checks.h"
 #include "support/make_joints.h"
 #include "support/make_paths.h"
 #include "support/second_device.h"
@@ -10,14 +11,6 @@
 #include <math.h>
 
 #define MOST_WORLDS 40
-
-static uint32_t random_state = 1;
-
-static int random_below(int end)
-{
-	random_state = random_state * 1664525u + 1013904223u;
-	return (int)((random_state >> 8) % (uint32_t)end);
-}
 
 // ---------------------------------------------------------------------------------------------------------------
 // levels

@@ -4,6 +4,7 @@
 // Formula: hash and counters (world in a batch) = hash and counters (same world alone after as many steps), with pauses and
 // resets at random. A paused world takes no steps. Nor does a world whose contacts are more than the limit: it stays as it
 // is after the last step that the same world alone, with this limit, does not refuse.
+#include "support/batch_checks.h"
 #include "support/make_joints.h"
 #include "support/second_device.h"
 #include "support/small_scenes.h"
@@ -46,14 +47,6 @@ typedef struct // a batch and what it must contain
 	uint8_t paused[MOST_WORLDS];
 	bool crowded[MOST_WORLDS]; // paused because of its contacts
 } Checked;
-
-static uint32_t random_state = 1;
-
-static int random_below(int end)
-{
-	random_state = random_state * 1664525u + 1013904223u;
-	return (int)((random_state >> 8) % (uint32_t)end);
-}
 
 static void record_alone(Templates* t)
 {
@@ -206,24 +199,6 @@ static void check_batch(Checked* c, int steps, const char* name)
 	scree_batch_destroy(c->batch);
 }
 
-// Opens a scene without sleep, after some of its steps.
-static scree_world* scene_world(const Scenario* scenario, int steps)
-{
-	scree_world_def def = scenario->def;
-	scree_world* world;
-	def.device = "cpu";
-	def.threads = 1;
-	def.sleep = false;
-	OK(scree_world_create(&def, &world));
-	scenario->build(world, scenario->context);
-	for (int step = 0; step < steps; ++step)
-	{
-		scenario->act(world, step, scenario->context);
-		OK(scree_world_step(world, scenario->dt, scenario->substeps));
-	}
-	return world;
-}
-
 // Removes the last template if the batch refuses it.
 static bool templates_fit(Templates* t)
 {
@@ -346,13 +321,6 @@ static void crowded_worlds_stay(void** state)
 		}
 	assert_int_equal(scree_memory(), 0);
 }
-
-#define REFUSED(call, sentence)                       \
-	do                                                \
-	{                                                 \
-		assert_int_equal(call, SCREE_ERROR_INVALID);  \
-		assert_string_equal(scree_error(), sentence); \
-	} while (0)
 
 static void bad_arguments_are_refused(void** state)
 {

@@ -8,7 +8,7 @@
 #define PLAN_PAUSE 1
 #define PLAN_RESET 2
 
-typedef struct // what the next step of a block must do once for a world that begins to run
+typedef struct // duties of the next step of a block, done once, for a world that begins to run
 {
 	float h;                             // s: substep of the last step of the world
 	bool dirty, surfaces, presses, taut; // for Pipeline.dirty, surfaces_changed, counters.presses, taut

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// batch_checks.h -- draws random numbers, and checks refused calls, for tests of batches.
+#ifndef BATCH_CHECKS_H
+#define BATCH_CHECKS_H
+#include "support/checks.h"
+
+static uint32_t random_state = 1;
+
+static inline uint32_t random_word(void)
+{
+	random_state = random_state * 1664525u + 1013904223u;
+	return random_state >> 8;
+}
+
+static inline int random_below(int end) { return (int)(random_word() % (uint32_t)end); }
+
+// Checks that a call is refused with exactly this sentence.
+#define REFUSED(call, sentence)                       \
+	do                                                \
+	{                                                 \
+		assert_int_equal(call, SCREE_ERROR_INVALID);  \
+		assert_string_equal(scree_error(), sentence); \
+	} while (0)
+
+#endif
