@@ -13,14 +13,12 @@ bool batch_takes(const Options* options, const Scene* scene)
 	return !has;
 }
 
-Options batch_options(const Options* options, const Scene* scene)
+Options batch_options(const Options* options)
 {
-	Options awake = *options;
-	if (scene->world.sleep && options->sleep == SLEEP_OF_SCENE)
-		awake.sleep = SLEEP_OFF;
+	Options changed = *options;
 	if (strcmp(options->device, "auto") == 0)
-		awake.device = "cpu";
-	return awake;
+		changed.device = "cpu";
+	return changed;
 }
 
 scree_batch_def batch_definition(const Options* options, scree_world** world)

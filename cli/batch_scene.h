@@ -7,9 +7,8 @@
 // Returns whether nothing changes the world of a scene between its steps. If not, prints the reason.
 bool batch_takes(const Options* options, const Scene* scene);
 
-// Returns the options of a batch and its template: a scene that sleeps runs awake, and the device is the CPU unless the
-// options name another one.
-Options batch_options(const Options* options, const Scene* scene);
+// Returns the options of a batch and its template: the device is the CPU unless the options name another one.
+Options batch_options(const Options* options);
 
 // Returns the definition of a batch with one template. options: those of batch_options. *world must stay where it is
 // until the batch is created.

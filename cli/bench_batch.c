@@ -178,7 +178,7 @@ static int open_template(const Options* options, const Scene* scene, ScenePlayer
 
 static int measure(const Options* given, const Scene* scene, const Known* known, bool* invalid)
 {
-	Options awake = batch_options(given, scene), *options = &awake; // the row says that the scene runs awake
+	Options changed = batch_options(given), *options = &changed;
 	Run run = {.options = options, .scene = scene, .worlds = options->worlds, .steps = options_steps(options, scene)};
 	ScenePlayer player = {0};
 	char settings[256];

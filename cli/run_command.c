@@ -47,7 +47,7 @@ int run_command(const Options* given)
 	if (!scene)
 		return EXIT_BAD;
 	bool many = given->worlds > 0;
-	Options batched = many ? batch_options(given, scene) : *given, *options = &batched;
+	Options batched = many ? batch_options(given) : *given, *options = &batched;
 	if (many && !run_worlds_can(options, scene))
 	{
 		scene_free(scene);

@@ -13,7 +13,7 @@ int view_command(const Options* options)
 	                    .threads = options->threads,
 	                    .lanes = options->lanes,
 	                    .allow_unequal_bits = options->allow_unequal_bits,
-	                    .sleep = options->worlds > 0 && options->sleep == SLEEP_OF_SCENE ? SLEEP_OFF : options->sleep,
+	                    .sleep = options->sleep,
 	                    .worlds = options->worlds,
 	                    .settings = options->settings,
 	                    .setting_count = options->setting_count,

@@ -247,8 +247,12 @@ static void bad_arguments_are_refused(void** state)
 	REFUSED(scree_batch_create(&def, &batch), "lanes is 3, but must be 0, 1, 4, 8 or 16");
 	def.lanes = 0;
 	def.templates = &sleeper;
+	OK(scree_world_step(sleeper, STEP, 4));
+	OK(scree_world_get_tuning(sleeper, &tuning));
+	tuning.sleep = false;
+	OK(scree_world_set_tuning(sleeper, &tuning));
 	REFUSED(scree_batch_create(&def, &batch),
-	        "scree_batch_create: template 0 has bodies that may sleep, which worlds of a batch cannot have yet");
+	        "scree_batch_create: sleep of template 0 was turned off since its last step; it must take a step first");
 	scree_world* both[2] = {world, soft};
 	def.templates = both;
 	def.template_count = 2;

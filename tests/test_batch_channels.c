@@ -12,6 +12,8 @@
 #define OUTPUTS 12
 #define STEPS   40
 #define RAYS    5
+#define LULL    130 // steps of worlds that sleep: in the first ones of each PERIOD, inputs push nothing
+#define PERIOD  150
 
 typedef struct // a world with handles of the objects that channels name
 {
@@ -22,6 +24,8 @@ typedef struct // a world with handles of the objects that channels name
 
 static float random_between(float low, float high) { return low + (high - low) * (float)random_word() / 16777216.0f; }
 
+static bool sleeps; // worlds sleep
+
 static scree_world* open_alone(float unit)
 {
 	scree_world_def def = scree_world_def_default();
@@ -29,7 +33,7 @@ static scree_world* open_alone(float unit)
 	def.threads = 1;
 	def.gravity.y = -10.0f;
 	def.length_unit = unit;
-	def.sleep = false;
+	def.sleep = sleeps;
 	return create_world(&def);
 }
 
@@ -91,9 +95,28 @@ static int inputs_of(const Rig* r, scree_channel* c)
 	return 2 + 2 + 1 + 2 + 1 + 1 + 1 + 1 + 4 + 4 + 1;
 }
 
+// Writes inputs that push nothing, and otherwise change nothing.
+static void idle_inputs(float* v)
+{
+	for (int k = 0; k < 7; ++k)
+		v[k] = 0.0f;
+	v[7] = v[8] = v[10] = 0.0f;
+	v[11] = 6.0f;
+	v[12] = 0.5f;
+	v[13] = v[17] = 1.0f;
+	v[14] = v[18] = 0.0f;
+	v[15] = -12.0f;
+	v[16] = 3.0f;
+}
+
 static void random_inputs(float* v, int step)
 {
 	float* to = v;
+	if (sleeps && step % PERIOD < LULL)
+	{
+		idle_inputs(v);
+		return;
+	}
 	for (int k = 0; k < 2; ++k) // force and thrust
 		*to++ = random_between(-9.0f, 9.0f);
 	for (int k = 0; k < 2; ++k)
@@ -268,6 +291,16 @@ static scree_world* copy_of(const Rig* rig)
 	return world;
 }
 
+static int asleep; // number of worlds of which half of the bodies slept after a step
+
+// Counts a world whose boxes sleep.
+static void count_asleep(const Rig* rig)
+{
+	scree_counters counters;
+	OK(scree_world_get_counters(rig->world, &counters));
+	asleep += counters.asleep_bodies >= 3;
+}
+
 static int began, hits, pulls; // values of outputs that are not those of a world at rest
 
 static void check_row(const float* row, const float* alone, int columns, int world, int step)
@@ -315,7 +348,7 @@ static void check_place(const Rig* rig, const Place* place)
 		for (int w = 0; w < WORLDS; ++w)
 		{
 			random_inputs(input + w * columns, step);
-			mask[w] = random_between(0.0f, 1.0f) < 0.1f;
+			mask[w] = random_between(0.0f, 1.0f) < (sleeps ? 0.01f : 0.1f);
 			for (int k = 0; k < 3; ++k)
 				velocity[w][k] = random_between(-2.0f, 2.0f);
 			if (!mask[w])
@@ -342,6 +375,7 @@ static void check_place(const Rig* rig, const Place* place)
 			}
 			if (hashes[w] != hash_of(worlds[w].world))
 				fail_msg("%s: step %d, world %d: another hash than alone", place->device, step, w);
+			count_asleep(worlds + w);
 			read_alone(worlds + w, before[w], alone);
 			check_row(output + w * seen, alone, seen, w, step);
 		}
@@ -365,6 +399,24 @@ static void channels_are_calls(void** state)
 	rig = open_rig(2.0f); // values are in units of length, and a power of two rounds nothing
 	check_place(&rig, places);
 	scree_world_destroy(rig.world);
+	assert_int_equal(scree_memory(), 0);
+}
+
+// In worlds that sleep, inputs wake bodies as calls do. Motors and targets of unchanged values wake nothing.
+static void inputs_wake_bodies(void** state)
+{
+	(void)state;
+	const Place places[] = {{"cpu", 1, 0, 320}, {"cpu", 2, 1, 320}, {"cpu", 1, 4, 320}, {second_device, 0, 0, 160}};
+	random_state = 11;
+	sleeps = true;
+	asleep = 0;
+	Rig rig = open_rig(1.0f);
+	for (size_t k = 0; k < sizeof places / sizeof *places; ++k)
+		if (places[k].device[0])
+			check_place(&rig, places + k);
+	assert_true(asleep > 500);
+	scree_world_destroy(rig.world);
+	sleeps = false;
 	assert_int_equal(scree_memory(), 0);
 }
 
@@ -459,6 +511,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(channels_are_calls),
+	    cmocka_unit_test(inputs_wake_bodies),
 	    cmocka_unit_test(templates_may_lack_objects),
 	    cmocka_unit_test(bad_channels_are_refused),
 	};

@@ -496,8 +496,8 @@ static void bad_arguments_are_refused(void** state)
 	    "scree_batch_insert: from has other settings, or other shapes, masses, joints or rules, than the template of "
 	    "world 0");
 	scree_world* sleeper = open_world(-10.0f);
-	REFUSED(scree_batch_insert(batch, 0, sleeper),
-	        "scree_batch_insert: the world has bodies that may sleep, which worlds of a batch cannot have yet");
+	REFUSED(scree_batch_insert(batch, 0, sleeper), "scree_batch_insert: from has 2 bodies, 1 collidables and 0 joints, "
+	                                               "but the template of world 0 has 4, 3 and 0");
 	free(rows);
 	scree_batch_destroy(batch);
 	scree_batch_destroy(other);

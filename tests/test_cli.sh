@@ -333,7 +333,9 @@ refuse 2 '--video has no effect: --worlds' run "${few[@]}" --worlds 4 --video x.
 refuse 2 '--recovery-interval has no effect: --worlds' run pyramid --worlds 4 --recovery-interval 9
 refuse 2 '--layers hits shows events, which' run "${few[@]}" --worlds 4 --picture x.png --layers contacts,hits
 refuse 2 'churn has churn, which the worlds of a batch cannot have' run churn --worlds 4
-refuse 2 'has bodies that may sleep, which worlds of a batch' run "${few[@]}" --worlds 4 --sleep on
+"$scree" run "${few[@]}" --sleep on --steps 90 >out 2>err || fail "run --sleep on"
+sleeping=$(sed -n 's/^hash  *//p' out)
+expect 0 "$sleeping" run "${few[@]}" --worlds 4 --show 2 --sleep on --steps 90
 [ -e x.png ] && fail "run --worlds: a picture in spite of the error"
 
 # validate: one experiment, and arguments that are refused; tests/test_validate.sh checks the rows of this command

@@ -127,10 +127,36 @@ static void edits_are_found(void** state)
 	}
 }
 
+// The pools of bodies have more groups than those of contacts have slots.
+static void many_bodies_touch_nothing(void** state)
+{
+	(void)state;
+	scree_world_def def = scree_world_def_default();
+	def.gravity.y = 0.0f;
+	def.device = "cpu";
+	def.threads = 1;
+	def.contact_capacity = 1;
+	scree_world* world = create_world(&def);
+	scree_body_def body = scree_body_def_default();
+	for (int k = 0; k < 13100; ++k)
+	{
+		if (k == 13000) // the pools grow by half now
+			run_steps(world, 1);
+		body.pose.position = (scree_vec){2.0f * (float)(k % 100), 2.0f * (float)(k / 100)};
+		create_body(world, &body);
+	}
+	run_steps(world, 45);
+	scree_counters counters;
+	OK(scree_world_get_counters(world, &counters));
+	assert_int_equal(counters.asleep_bodies, 13100);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(edits_are_found),
+	    cmocka_unit_test(many_bodies_touch_nothing),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

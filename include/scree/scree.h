@@ -2418,8 +2418,8 @@ typedef struct scree_batch_def
 	uint32_t size; // set by scree_batch_def_default
 	int worlds;    // number of worlds, 1 to 16,777,216; default 1
 	// Array of template_count worlds, at least one. They are copied, so the program may change or destroy them. Each has at
-	// most 4,096 bodies, collidables, contacts and joints; scree_world_def.sleep is false; there are no fields, sensors, pending
-	// targets, or contacts that need approval. All have the same tuning.
+	// most 4,096 bodies, collidables, contacts and joints; there are no fields, sensors, pending targets, or contacts that
+	// need approval. All have the same tuning, but for sleep and its threshold.
 	scree_world** templates;
 	int template_count;
 	const int* template_of; // for each world, the index of its template; null (default): world i has template i modulo
@@ -2455,7 +2455,8 @@ SCREE_API void scree_batch_destroy(scree_batch* batch);
 SCREE_API scree_status scree_batch_step(scree_batch* batch, float dt, int substeps, int steps);
 
 // Puts worlds back to the states of their templates. Worlds that were paused then run. mask: one byte per world, other than 0
-// for each world to reset; null: all worlds. Gravity set by scree_batch_set_gravity stays.
+// for each world to reset; null: all worlds. Gravity set by scree_batch_set_gravity stays; bodies wake if it is not that of
+// the template.
 SCREE_API scree_status scree_batch_reset(scree_batch* batch, const uint8_t* mask);
 
 // Pauses worlds: they are not stepped until a later call has byte 0 for them, or they are reset. They cost no time. mask: one
@@ -2465,8 +2466,8 @@ SCREE_API scree_status scree_batch_pause(scree_batch* batch, const uint8_t* mask
 
 // Sets the gravity of each world from the next step on, m/s^2: as scree_world_set_gravity does for a world alone. It stays
 // until it is set again, also when worlds are reset. gravity: array with one finite vector per world, which is copied; in the
-// unit of length of the world's template; null: worlds have the gravity of their templates, as at first. On failure no gravity
-// changes.
+// unit of length of the world's template; null: worlds have the gravity of their templates, as at first. The bodies of worlds
+// whose gravity changes wake. On failure no gravity changes.
 SCREE_API scree_status scree_batch_set_gravity(scree_batch* batch, const scree_vec* gravity);
 
 typedef struct

@@ -94,10 +94,16 @@ scree_status block_bind(Block* block, const ChannelSet* sets, int templates)
 	                  outputs->joint_group);
 }
 
-static scree_status apply(Block* block, int bits)
+// Applies inputs to `rows` worlds: those of list `which`.
+static scree_status apply(Block* block, int which, int bits, int rows)
 {
-	const ChannelSet* set = block->sets + CHANNELS_STEP;
-	return run_groups(block, KERNEL_channel_input, CHANNELS_STEP, bits, block->pipeline.live_bays, 0, set->groups);
+	const ChannelSet* set = block->sets + which;
+	Pipeline* p = &block->pipeline;
+	p->edited = true;
+	TRY(run_groups(block, KERNEL_channel_input, which, bits, rows, 0, set->groups));
+	if (!p->sleeps || set->groups == set->joint_group)
+		return SCREE_OK;
+	return bays_run(p, KERNEL_channel_stir, 0, rows, RUN_PAIR(which | bits, rows));
 }
 
 scree_status block_apply_inputs(Block* block)
@@ -112,13 +118,13 @@ scree_status block_apply_inputs(Block* block)
 		channels_put(set, block->converted + (size_t)k * columns, rows + (size_t)k * columns);
 	TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_STEP].column, block->worlds * set->columns,
 	                converts(set) ? block->converted : rows));
-	block->pipeline.edited |= set->places;
-	return apply(block, 0);
+	return apply(block, CHANNELS_STEP, 0, block->pipeline.live_bays);
 }
 
 scree_status block_apply_again(Block* block)
 {
-	return block->sets && block->sets[CHANNELS_STEP].acts ? apply(block, CHANNEL_AGAIN) : SCREE_OK;
+	bool acts = block->sets && block->sets[CHANNELS_STEP].acts;
+	return acts ? apply(block, CHANNELS_STEP, CHANNEL_AGAIN, block->pipeline.live_bays) : SCREE_OK;
 }
 
 void block_aim(Block* block, bool first)
@@ -154,7 +160,7 @@ scree_status block_apply_reset(Block* block, int resets)
 	TRY(b->f->write(b, POOL_bay_copy, 0, resets, block->copies));
 	if (set->count > 0)
 		TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_RESET].column, resets * set->columns, block->converted));
-	TRY(run_groups(block, KERNEL_channel_input, CHANNELS_RESET, CHANNEL_COPIES, resets, 0, set->groups));
+	TRY(apply(block, CHANNELS_RESET, CHANNEL_COPIES, resets));
 	return begin_touches(block, resets);
 }
 

@@ -5,24 +5,68 @@
 // world (constraints/bay_gravity.h), which the host computes whenever gravity or the length of a step changes.
 #include "batch/block_gravity.h"
 #include "platform/error.h"
+#include "step/bay_layout.h"
 #include "step/constants.h"
 #include <math.h>
 #include <string.h>
 
-static scree_vec gravity_of_world(const Block* block, int k)
+static scree_vec gravity_in(const Block* block, const scree_vec* gravity, int row)
 {
-	int world = block->first + k;
-	return block->gravity ? block->gravity[world] : block->templates[block->template_of[world]].request.gravity;
+	return gravity ? gravity[block->first + row] : block_template(block, row)->request.gravity;
+}
+
+scree_vec block_world_gravity(const Block* block, int row) { return gravity_in(block, block->gravity, row); }
+
+scree_status block_wake(Block* block, const int* rows, const scree_vec* before, int count)
+{
+	Pipeline* p = &block->pipeline;
+	int found = 0;
+	if (!p->sleeps)
+		return SCREE_OK;
+	Int2* bays = scree_allocate(sizeof *bays * (size_t)(count + 1));
+	if (!bays)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to wake %d worlds", count);
+	for (int k = 0; k < count; ++k)
+	{
+		int row = rows ? rows[k] : k;
+		scree_vec now = block_world_gravity(block, row);
+		scree_vec then = before ? before[k] : block_template(block, row)->request.gravity;
+		if (now.x != then.x || now.y != then.y)
+			bays[found++] = make_int2(block->bay_of[row], block->bay_of[row]);
+	}
+	scree_status status = SCREE_OK;
+	if (found > 0)
+		status = block->backend->f->write(block->backend, POOL_bay_copy, 0, found, bays);
+	if (status == SCREE_OK && found > 0)
+		status = bays_run(p, KERNEL_bay_wake, 0, found * p->bays.bodies, 0);
+	p->edited |= found > 0;
+	scree_release(bays);
+	return status;
+}
+
+scree_status block_set_gravity(Block* block, const scree_vec* gravity)
+{
+	scree_vec* before = scree_allocate(sizeof *before * (size_t)block->worlds);
+	if (!before)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the gravity of %d worlds", block->worlds);
+	for (int row = 0; row < block->worlds; ++row)
+		before[row] = block_world_gravity(block, row);
+	block->gravity = gravity;
+	block->gravity_changed = true;
+	block->pipeline.edited = true;
+	scree_status status = block_wake(block, NULL, before, block->worlds);
+	scree_release(before);
+	return status;
 }
 
 // Sets the gravity of the step: that of the world that gravity moves farthest, on which Step.calm depends.
 static void find_gravity(Block* block)
 {
-	scree_vec first = gravity_of_world(block, 0), most = first;
+	scree_vec first = block_world_gravity(block, 0), most = first;
 	bool varied = false;
 	for (int k = 1; k < block->worlds; ++k)
 	{
-		scree_vec own = gravity_of_world(block, k);
+		scree_vec own = block_world_gravity(block, k);
 		varied |= memcmp(&own, &first, sizeof own) != 0; // also if only signs of zeros differ
 		if (fabsf(own.x) + fabsf(own.y) > fabsf(most.x) + fabsf(most.y))
 			most = own;
@@ -47,7 +91,7 @@ scree_status block_gravity(Block* block)
 	if (!block->gravity_rows)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the gravity of %d worlds", block->worlds);
 	for (int k = 0; k < block->worlds; ++k)
-		block->gravity_rows[k] = step_gravity(request, gravity_of_world(block, k));
+		block->gravity_rows[k] = step_gravity(request, block_world_gravity(block, k));
 	block->gravity_changed = false;
 	block->gravity_dt = request->dt;
 	block->gravity_substeps = request->substeps;

@@ -4,6 +4,7 @@
 // States come and go through spare bays, whose items are adjacent: one read or write of each pool serves many worlds.
 #include "batch/block_rows.h"
 #include "batch/block_channels.h"
+#include "batch/block_gravity.h"
 #include "batch/block_places.h"
 #include "batch/world_row.h"
 #include "pools/bays.h"
@@ -119,7 +120,8 @@ static void write_head(Staged* s, int n, int world)
 	                  .fingerprint = s->templates[n]->fingerprint,
 	                  .dt = p->step.dt,
 	                  .surfaces_changed = paused ? paused->surfaces : p->surfaces_changed,
-	                  .state = s->states[n]};
+	                  .state = s->states[n],
+	                  .gravity = block_world_gravity(block, world - block->first)};
 	head->state.crowded = 0;
 	row_count(s->templates[n], row_slots(s->pair + ((size_t)n << bits), 1 << bits), head->count);
 }
@@ -273,6 +275,22 @@ static scree_status write_values(Staged* s)
 	return b->f->write(b, POOL_bay_state, block->stage, s->count, s->states);
 }
 
+// Wakes the bodies of worlds whose gravity is not that of their states.
+static scree_status wake(Staged* s)
+{
+	Block* block = s->block;
+	if (!block->pipeline.sleeps)
+		return SCREE_OK;
+	scree_vec* before = scree_allocate(sizeof *before * (size_t)(s->copies + 1));
+	if (!before)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory to wake %d worlds", s->work->function, s->copies);
+	for (int k = 0; k < s->copies; ++k)
+		before[k] = s->heads[block->copies[k].x - block->stage].gravity;
+	scree_status status = block_wake(block, block->rows, before, s->copies);
+	scree_release(before);
+	return status;
+}
+
 // Copies the states from the rows to the spare bays, then to the worlds.
 static scree_status load_some(Staged* s)
 {
@@ -287,6 +305,7 @@ static scree_status load_some(Staged* s)
 		note_pending(block, s->heads + (block->copies[k].x - block->stage), block->rows[k]);
 	TRY(write_values(s));
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, s->copies));
+	TRY(wake(s));
 	TRY(block_begin_touches(block, s->copies));
 	s->count = s->copies = 0;
 	return SCREE_OK;

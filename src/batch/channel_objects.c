@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // channel_objects.c -- checks a channel, finds its object in a template, and returns the rules of its columns.
 #include "batch/channel_objects.h"
+#include "world/edits.h"
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
 #include "world/units/scale.h"
@@ -97,6 +98,7 @@ static scree_status find_body(Channel* made, ChannelPlace at, const scree_channe
 	made->item = fixed ? 0 : (int)c->body.index;
 	made->other = (int)c->other.index;
 	made->locks = fixed ? 0 : (int)world->host_bodies[made->item].locks;
+	made->bits = fixed ? 0 : command_bits(world, made->item) & COMMAND_JOINED;
 	made->place = make_float4(c->point.x, c->point.y, 0.0f, 0.0f);
 	if (c->kind == SCREE_OUTPUT_RAYS)
 		place_ray(made, c, ray);

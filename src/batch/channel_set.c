@@ -67,7 +67,6 @@ static void note_kind(ChannelSet* set, scree_channel_kind kind)
 	set->aims |= kind == SCREE_INPUT_TARGET;
 	set->acts |= kind == SCREE_INPUT_FORCE || kind == SCREE_INPUT_THRUST || kind == SCREE_INPUT_TORQUE;
 	set->touches |= kind == SCREE_OUTPUT_TOUCH;
-	set->places |= kind == SCREE_INPUT_POSE;
 	set->poses |= kind == SCREE_INPUT_POSE || kind == SCREE_INPUT_TARGET;
 }
 

@@ -74,6 +74,7 @@ static Word64 hash_settings(Word64 h, const StepRequest* request)
 	const scree_tuning* tuning = &request->tuning;
 	const float values[] = {tuning->contact_hertz, tuning->contact_damping_ratio, tuning->contact_push_speed,
 	                        tuning->restitution_threshold, tuning->max_speed};
+	h = request->sleep ? hash_float(hash_word(h, 1), request->sleep_threshold) : h;
 	return hash_bytes(h, values, sizeof values);
 }
 

@@ -22,7 +22,8 @@ scree_status row_of_world(const Template* read, const char* function, char** row
 	                .fingerprint = read->fingerprint,
 	                .dt = p->step.dt,
 	                .surfaces_changed = p->surfaces_changed,
-	                .state = template_state(read)};
+	                .state = template_state(read),
+	                .gravity = read->request.gravity};
 	row_count(read, row_slots(read->image.pair, read->contacts), head.count);
 	*bytes = row_layout(head.count, at);
 	*row = scree_allocate(*bytes);
@@ -84,7 +85,9 @@ static void set_counters(const RowHead* head, const CollidablePair* pair, Counte
 	                .taut = state->taut,
 	                .penetration = state->penetration,
 	                .joint_gap = state->joint_gap,
-	                .nonfinite = state->nonfinite};
+	                .nonfinite = state->nonfinite,
+	                .drowsy = state->drowsy,
+	                .joined_islands = state->joined_islands};
 	for (int k = 0; k < c->contacts; ++k)
 		c->alive += pair[k].x >= 0;
 }
@@ -107,7 +110,9 @@ static void set_duties(Pipeline* p, const RowHead* head)
 	p->split = p->reverted = p->rested = false;
 	p->edited = true;
 	p->sparse = p->quiet = 0;
-	++p->steps; // the collidables are older than the last step
+	p->steps = head->state.steps;
+	p->settles = head->state.settles;
+	p->listed = false; // the next step makes all groups active
 	for (int t = 0; t < 2; ++t)
 		tree_touch(p, t);
 }
@@ -167,6 +172,10 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 	TRY(write_items(world, head, row));
 	set_counters(head, (const CollidablePair*)(const void*)(row + at[POOL_pair]), &p->counters);
 	TRY(pipeline_lay_out(p, from->bodies, spokes));
+	const int* wake = (const int*)(const void*)(row + at[POOL_wake]);
+	for (int k = 0; k < head->count[ROW_BODIES]; ++k)
+		if (wake[k])
+			p->counters.woken = INT32_MAX;
 	p->counters.belts = p->belts; // the belt of a contact may have changed just before the row was saved
 	// the pairs that never touch are those of the template, but joints may have broken since
 	p->counters.joints_dirty = p->counters.joints + p->excluded > 0 ? INT32_MAX : 0;

@@ -51,8 +51,10 @@ static scree_status refuse_template(const char* function, int number, const char
 static scree_status check_template(const scree_world* world, const char* function, int number)
 {
 	const Pipeline* p = &world->pipeline;
-	if (world->def.sleep || p->sleeps)
-		return refuse_template(function, number, "bodies that may sleep");
+	if (p->sleeps && !world->def.sleep)
+		return fail(SCREE_ERROR_INVALID,
+		            "%s: sleep of %s was turned off since its last step; it must take a step first", function,
+		            subject_of(number).text);
 	if (world->fields.slots.alive > 0)
 		return refuse_template(function, number, "fields");
 	if (world->sensors.alive > 0 || world->sensors.visit_count > 0) // visits to a destroyed sensor end in the next step
@@ -132,6 +134,8 @@ static void read_settings(const scree_world* world, Template* made)
 	                              .collidables = world->collidables.used,
 	                              .kinematic = world->kinematic_count,
 	                              .contact_limit = world->def.contact_limit,
+	                              .sleep = world->def.sleep,
+	                              .sleep_threshold = world->def.sleep_threshold,
 	                              .details = world->def.contact_details,
 	                              .reports = world->reports.reporters > 0,
 	                              .hit_speed = world->def.hit_speed,
@@ -181,7 +185,11 @@ BayState template_state(const Template* from)
 	                  .penetration = c->penetration,
 	                  .joint_gap = c->joint_gap,
 	                  .nonfinite = c->nonfinite,
-	                  .substep = from->pipeline.step.h};
+	                  .substep = from->pipeline.step.h,
+	                  .steps = (int)from->pipeline.steps,
+	                  .drowsy = c->drowsy,
+	                  .joined_islands = c->joined_islands,
+	                  .settles = from->pipeline.settles};
 }
 
 Bay template_bay(const Template* from, int number)
@@ -192,7 +200,8 @@ Bay template_bay(const Template* from, int number)
 	             .world = -1,
 	             .number = number,
 	             .path_sample = from->first_sample,
-	             .joints = from->joints};
+	             .joints = from->joints,
+	             .sleep_threshold = from->request.sleep ? from->request.sleep_threshold : -1.0f};
 }
 
 void template_shift(Template* made, int first, int sample, int table)

@@ -79,11 +79,13 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		p->bay_joints |= templates[t].joints > 0;
 		block->request.details |= templates[t].request.details;
 		block->request.reports |= templates[t].request.reports;
+		block->request.sleep |= templates[t].request.sleep;
 	}
 	block->stage = worlds + sizes.spares;
 	block->stages = worlds < STAGE_SHARE ? 1 : worlds / STAGE_SHARE < STAGES_MOST ? worlds / STAGE_SHARE : STAGES_MOST;
 	sizes.spares += block->stages;
 	block->empty = worlds + sizes.spares++;
+	p->sleeps = block->request.sleep;
 	TRY(bays_open(p, &sizes));
 	block->request.contact_limit = 0;
 	block->request.kinematics = block->kinematics;
@@ -111,6 +113,7 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 	if (block->pipeline.live_bays == block->worlds)
 	{
 		TRY(block_restore(block, mask, &count));
+		TRY(block_wake(block, block->rows, NULL, count));
 		return block_apply_reset(block, count);
 	}
 	for (int k = 0; k < block->worlds; ++k)
@@ -122,6 +125,7 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 			continue;
 		block_add_copy(block, &count, block->spare_of[block->template_of[block->first + k]], block->bay_of[k], k);
 	}
+	TRY(block_wake(block, block->rows, NULL, count));
 	return block_apply_reset(block, count);
 }
 

@@ -18,7 +18,7 @@ enum // kinds of items of a row
 	ROW_KINDS
 };
 
-typedef struct // 144 bytes: the head of a row
+typedef struct // 160 bytes: the head of a row
 {
 	uint64_t magic;       // ROW_MAGIC
 	uint64_t version;     // row_version
@@ -29,7 +29,8 @@ typedef struct // 144 bytes: the head of a row
 	float dt;             // s: the last step with dt above 0; 0 if there was none
 	int surfaces_changed; // 1 if surfaces of contacts may have to be computed again
 	BayState state;
-	uint64_t reserved[3]; // 0
+	scree_vec gravity; // m/s^2
+	uint64_t reserved; // 0
 } RowHead;
 
 #define ROW_MAGIC 0x776f726565726373u // "screerow"

@@ -105,4 +105,10 @@ INLINE float h_ratio_at(const Pools* p, int slot)
 	return BATCHED(p) && p->step.h_ratio == 0.0f ? bay_of_joint(p, slot)->h_ratio : p->step.h_ratio;
 }
 
+// Sets BayState.h_ratio in a step with dt above 0.
+INLINE void bay_set_ratio(const Pools* p, GLOBAL BayState* state)
+{
+	state->h_ratio = state->substep > 0.0f ? quotient(p->step.h, state->substep) : 1.0f;
+}
+
 #endif

@@ -36,6 +36,16 @@ INLINE int bay_of_collidable(const Pools* p, int i)
 // worlds, because wide kernels also process the padding behind the last world.
 INLINE int bay_spare(int worlds, int size) { return (worlds * size + GROUP_ITEMS - 1) / GROUP_ITEMS * GROUP_ITEMS; }
 
+// Returns the first body of the bay of body i, which may be spare.
+INLINE int bay_first_body(const Pools* p, int i)
+{
+	int size = p->step.bays.bodies, spare;
+	if (!BATCHED(p))
+		return 0;
+	spare = bay_spare(p->step.bays.worlds, size);
+	return i < spare ? bay_of_body(p, i) * size : spare + bay_of(i - spare, size, p->step.bays.body_part) * size;
+}
+
 // Returns item k of a bay of a kind whose bays have `size` items.
 INLINE int bay_item(int worlds, int bay, int k, int size)
 {
@@ -57,6 +67,12 @@ INLINE int bay_has_joints(const Pools* p, int body)
 	return BATCHED(p) ? p->bay[bay_of_body(p, body)].joints : p->step.joints;
 }
 
+// m/s: Returns the sleep threshold of the world of a body, in a step with sleep; below 0 if the world does not sleep.
+INLINE float bay_sleep_threshold(const Pools* p, int body)
+{
+	return BATCHED(p) ? p->bay[bay_of_body(p, body)].sleep_threshold : p->step.sleep_threshold;
+}
+
 // Returns the first path sample of the world of a joint.
 INLINE int bay_path(const Pools* p, int slot)
 {
@@ -73,6 +89,9 @@ INLINE GLOBAL BayState* bay_of_joint(const Pools* p, int slot)
 {
 	return p->bay_state + (slot >> p->step.bays.joint_bits);
 }
+
+// Returns whether this step searches the islands of the world of a body, if it searches any.
+INLINE int bay_searches(const Pools* p, int body) { return !BATCHED(p) || bay_state_of(p, body)->searches; }
 
 // Bits of the argument of bay_count: worlds may have joints; joints got other spots; excluded pairs changed.
 #define BAY_COUNT_JOINTS   1

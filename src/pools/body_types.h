@@ -43,6 +43,7 @@
 #define SEARCH_NEVER  0
 #define SEARCH_DROWSY 1
 #define SEARCH_NOW    2
+#define SEARCH_BAYS   3 // in a batch: if bay_sleep found a world whose islands are to be searched
 
 // Bits of the pool island_state.
 #define ISLAND_RESTLESS 1 // some awake body has not been at rest for SLEEP_TIME

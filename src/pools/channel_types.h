@@ -42,7 +42,8 @@ typedef struct // 80 bytes: a channel of a template
 	int which;  // coordinate of a joint; or TOUCH_* bits
 	int locks;  // locks of a body: 1: x; 2: y; 4: rotation
 	float lower, upper; // m or rad: range of the target of a joint
-	int unused[4];
+	int bits;           // COMMAND_JOINED or 0, for inputs of a body
+	int unused[3];
 	Float4 place;          // m: point in the frame of the body (x, y); or start and path of a ray
 	Word64 category, mask; // filter of a ray
 } Channel;

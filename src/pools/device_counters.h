@@ -35,6 +35,8 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int placed[CONSTRAINT_KINDS]; // number of places behind the layout that copies of worlds took (bay_copy.h)
 	int stale_layout
 	    [CONSTRAINT_KINDS]; // 1 if copies of worlds changed constraints of the kind, so it needs a new layout
+	int bays_search;        // 1 if bay_sleep found a world whose islands are to be searched
+	int bays_settle;        // 1 if it found one whose sleeping islands are to be searched too
 	int copied_spokes;      // 1 if a copy of a world contains a spoke, and there was no layout since
 	int hubs;               // number of hubs
 	int split;              // number of spokes if some body is split into parts, else 0

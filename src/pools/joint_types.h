@@ -5,16 +5,17 @@
 #include "dialect/dialect.h"
 
 // Bits of the pool joint_flags.
-#define JOINT_THERE     1   // the slot contains a joint
-#define JOINT_ACTIVE    2   // both bodies are enabled, and at least one can move
-#define JOINT_RESTARTS  4   // the constraint must end and begin again
-#define JOINT_BROKEN    8   // the joint broke
-#define JOINT_COLLIDES  16  // the two bodies may touch each other
-#define JOINT_CAN_BREAK 32  // the joint breaks when its force or torque exceeds a threshold
-#define JOINT_ACTS      64  // the joint has a lock, a limit, a spring or a motor
-#define JOINT_NEW       128 // the slot contains a new joint
-#define JOINT_ASLEEP    512 // has no constraint because a body sleeps; its impulses are kept
-#define JOINT_SEEKS     256 // flag of an edit: a body or a frame was placed, so the whole path must be searched
+#define JOINT_THERE     1    // the slot contains a joint
+#define JOINT_ACTIVE    2    // both bodies are enabled, and at least one can move
+#define JOINT_RESTARTS  4    // the constraint must end and begin again
+#define JOINT_BROKEN    8    // the joint broke
+#define JOINT_COLLIDES  16   // the two bodies may touch each other
+#define JOINT_CAN_BREAK 32   // the joint breaks when its force or torque exceeds a threshold
+#define JOINT_ACTS      64   // the joint has a lock, a limit, a spring or a motor
+#define JOINT_NEW       128  // the slot contains a new joint
+#define JOINT_STIRS     1024 // an input of a batch changed the joint; channel_stir clears this
+#define JOINT_ASLEEP    512  // has no constraint because a body sleeps; its impulses are kept
+#define JOINT_SEEKS     256  // flag of an edit: a body or a frame was placed, so the whole path must be searched
 
 // Bits of JointData.modes: four for each coordinate k, then others.
 #define JOINT_LOCKED(k)  (1 << (4 * (k)))

@@ -82,10 +82,10 @@ typedef struct // 32 bytes: numbers of items of a world of a batch
 	int number;              // number of its template
 	int path_sample;         // first sample of the paths of its template
 	int joints;              // joint slots in use
-	int unused;
+	float sleep_threshold;   // m/s: as Step.sleep_threshold; below 0 in a world that does not sleep
 } Bay;
 
-typedef struct // 56 bytes: values of a world of a batch that the counters have in a world alone, or the step
+typedef struct // 80 bytes: values of a world of a batch that the counters have in a world alone, or the step
 {
 	int press[2], ways, presses; // Counters.press, ways, presses
 	int taut;                    // Counters.taut
@@ -93,8 +93,14 @@ typedef struct // 56 bytes: values of a world of a batch that the counters have 
 	int joints_dirty;            // 1 if contacts may have to restart because joints changed since the last step
 	int penetration, joint_gap, nonfinite; // Counters.penetration, joint_gap, nonfinite
 	int crowded; // number of contacts that the world needs, if the step was abandoned because they are too many; else 0
-	float substep; // s: Step.h of the last step with dt above 0, 0 if there was none
-	float h_ratio; // as Step.h_ratio
+	float substep;      // s: Step.h of the last step with dt above 0, 0 if there was none
+	float h_ratio;      // as Step.h_ratio
+	int steps;          // number of steps of the world; in a live bay, minus Pipeline.steps
+	int drowsy;         // Counters.drowsy
+	int joined_islands; // Counters.joined_islands
+	int settles;        // Pipeline.settles
+	int searches;       // 1 if the step searches the islands of the world
+	int unused;
 } BayState;
 
 typedef struct // 20 bytes: values of a world of a batch that depend on its gravity

@@ -23,6 +23,7 @@ static Step step_between(const Pipeline* pipeline)
 	step_bays(&step, &pipeline->bays);
 	step.belts = pipeline->belts;
 	step.paths = pipeline->paths;
+	step.sleep = pipeline->sleeps;
 	return step;
 }
 
@@ -51,6 +52,14 @@ static scree_status reserve(Pipeline* pipeline, Per per, int64_t end)
 // Returns the end of the items of all bays of a kind.
 static int64_t bays_end(int worlds, int spares, int size) { return bay_spare(worlds, size) + (int64_t)spares * size; }
 
+// Returns the end of the contact slots of all bays. With sleep, the scan of the groups of other items needs as many.
+static int64_t contacts_end(const Pipeline* pipeline, int spares)
+{
+	int64_t end = bays_end(pipeline->bays.worlds, spares, 1 << pipeline->bays.contact_bits);
+	int groups = pipeline->sleeps ? groups_most(pipeline->backend) : 0;
+	return groups > end ? groups : end;
+}
+
 // Reserves memory for all bays. Makes new slots of contacts and joints free.
 static scree_status reserve_bays(Pipeline* pipeline, int spares)
 {
@@ -60,7 +69,7 @@ static scree_status reserve_bays(Pipeline* pipeline, int spares)
 	int contacts = first ? 0 : b->capacity[PER_CONTACT], joints = first ? 0 : b->capacity[PER_JOINT];
 	TRY(reserve(pipeline, PER_BODY, bays_end(bays->worlds, spares, bays->bodies)));
 	TRY(reserve(pipeline, PER_COLLIDABLE, bays_end(bays->worlds, spares, bays->collidables)));
-	TRY(reserve(pipeline, PER_CONTACT, bays_end(bays->worlds, spares, 1 << bays->contact_bits)));
+	TRY(reserve(pipeline, PER_CONTACT, contacts_end(pipeline, spares)));
 	TRY(reserve(pipeline, PER_JOINT, bays_end(bays->worlds, spares, 1 << bays->joint_bits)));
 	TRY(pipeline_reserve(pipeline, PER_BAY, bays->worlds + spares));
 	TRY(bays_run(pipeline, KERNEL_bay_clear_contact, contacts, b->capacity[PER_CONTACT], 0));
@@ -130,6 +139,7 @@ static scree_status count(Pipeline* pipeline, const Step* step, int edits)
 scree_status bays_live(Pipeline* pipeline, int live, int edits)
 {
 	pipeline->live_bays = live;
+	pipeline->listed = false; // the next step makes all groups active
 	pipeline->trees[0].tree.leaves = live * pipeline->bays.collidables;
 	tree_touch(pipeline, 0);
 	Step step = step_between(pipeline);
@@ -157,7 +167,7 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	pipeline->placed = most;
 	TRY(b->f->write(b, POOL_bay_copy, 0, count, copies));
 	TRY(b->f->write(b, POOL_bay_row, 0, count, rows));
-	TRY(bays_run(pipeline, KERNEL_bay_copy_body, 0, count * bays->bodies, 0));
+	TRY(bays_run(pipeline, KERNEL_bay_copy_body, 0, count * bays->bodies, (int)pipeline->steps));
 	TRY(bays_run(pipeline, KERNEL_bay_copy_collidable, 0, count * bays->collidables, 0));
 	TRY(bays_run(pipeline, KERNEL_bay_copy_contact, 0, count << bays->contact_bits, 0));
 	if (pipeline->bay_joints)
@@ -178,7 +188,7 @@ scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts)
 	int spares = pipeline->spare_bays;
 	bays->contact_bits = (short)bits_of(contacts);
 	int old = b->capacity[PER_CONTACT], all = bays->worlds + spares;
-	scree_status status = reserve(pipeline, PER_CONTACT, bays_end(bays->worlds, spares, 1 << bays->contact_bits));
+	scree_status status = reserve(pipeline, PER_CONTACT, contacts_end(pipeline, spares));
 	Int2* moves = status == SCREE_OK ? scree_allocate(sizeof *moves * (size_t)all) : NULL;
 	if (!moves)
 	{
@@ -208,7 +218,11 @@ scree_status bays_grow(Pipeline* pipeline, Step* step, int contacts)
 	step->pair_capacity = b->capacity[PER_KEY];
 	step->contact_capacity = bays_contacts(pipeline);
 	step_places(step, b);
-	return count(pipeline, step, 0);
+	TRY(count(pipeline, step, 0));
+	if (!step->sleep)
+		return SCREE_OK;
+	return run_one(pipeline, step, KERNEL_group_reset, 0, b->capacity[PER_CONTACT] / GROUP_ITEMS,
+	               RUN_PAIR(GROUPS_OF_CONTACTS, 0));
 }
 
 scree_status bays_fit(Pipeline* pipeline, int contacts)

@@ -190,8 +190,6 @@ static scree_status count_trees(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
-static int larger(int a, int b) { return a > b ? a : b; }
-
 // Reserves memory first, so that no lack of memory interrupts the step; then uploads the data that the stages read.
 static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 {
@@ -200,8 +198,8 @@ static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 	TRY(tree_upload(pipeline));
 	TRY(kinematics_upload(pipeline, request));
 	TRY(events_reserve(pipeline, request));
-	if (request->sleep) // for the scan of the groups of bodies and of collidables
-		TRY(pipeline_reserve(pipeline, PER_CONTACT, larger(request->bodies, request->collidables) / GROUP_ITEMS + 3));
+	if (request->sleep || pipeline->sleeps) // a scan has an entry for each group of a pool, in use or not, and its end
+		TRY(pipeline_reserve(pipeline, PER_CONTACT, groups_most(pipeline->backend) + 1));
 	if (request->field_shapes)
 		TRY(pipeline_reserve(pipeline, PER_FIELD_SHAPE, request->collidables));
 	if (pairs == 0)
@@ -221,7 +219,7 @@ static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
 {
 	bool same = request->dt == 0.0f || pipeline->counters.joints == 0 ||
 	            request->dt / (float)request->substeps == pipeline->step.h;
-	same = same && (request->dt == pipeline->step.dt || !depends_on_length(pipeline));
+	same = same && !pipeline->lengths_vary && (request->dt == pipeline->step.dt || !depends_on_length(pipeline));
 	return pipeline->quiet >= QUIET_STEPS && pipeline->sparse == 0 && !pipeline->edited &&
 	       !pipeline->counters.joined_islands && request->sleep && request->commands.count == 0 && !pipeline->asks &&
 	       same;

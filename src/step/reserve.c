@@ -60,6 +60,8 @@ static scree_status reserve_kind(Pipeline* pipeline, const KindInfo* kind, Per p
 	return resize(pipeline, PER_KEY, b->capacity[PER_EDGE]);
 }
 
+int groups_most(const Backend* b) { return larger(b->capacity[PER_BODY], b->capacity[PER_COLLIDABLE]) / GROUP_ITEMS; }
+
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 {
 	Backend* b = pipeline->backend;

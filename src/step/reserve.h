@@ -12,6 +12,9 @@ extern const Per grouped[GROUP_KINDS];
 // Returns a number of items, rounded up to whole groups.
 static inline int group_items(int items) { return (items + GROUP_ITEMS - 1) / GROUP_ITEMS * GROUP_ITEMS; }
 
+// Returns the larger number of groups that the pools of bodies and of collidables have.
+int groups_most(const Backend* b);
+
 // Ensures space for `capacity` items in the pools of `per` and in pools that depend on them; pools grow by half or
 // more.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);

@@ -82,7 +82,8 @@ static void tree_refit_stale(RunList* list, TreeState* state, const Step* step, 
 static bool tree_is_listed(const Pipeline* pipeline, const Step* step)
 {
 	const TreeState* state = &pipeline->trees[0];
-	return step->sleep && pipeline->listed && state->change != TREE_MOVED && (step->kinematic == 0 || state->movers);
+	return step->sleep && !step->bays.worlds && pipeline->listed && state->change != TREE_MOVED &&
+	       (step->kinematic == 0 || state->movers);
 }
 
 // Lists the runs that compute the boxes of a tree. jumps: boxes may have jumped since its leaves were sorted, so the device
@@ -92,7 +93,7 @@ static void list_tree_boxes(Pipeline* pipeline, const Step* step, int t, bool ju
 	RunList* list = &pipeline->list;
 	TreeState* state = &pipeline->trees[t];
 	bool listed = t == 0 && tree_is_listed(pipeline, step);
-	bool all = state->change != TREE_KEPT || (t == 0 && step->sleep);
+	bool all = state->change != TREE_KEPT || (t == 0 && step->sleep && !step->bays.worlds);
 	if (listed)
 		tree_refit_stale(list, state, step, jumps);
 	else if (jumps)
@@ -292,6 +293,13 @@ void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request
 	runs_add(list, KERNEL_contact_wake, 0, contacts, COUNT(shifted), 0);
 	if (joints > 0)
 		runs_add(list, KERNEL_joint_wake, 0, joints, COUNT(woken), 0);
+#ifndef SCREE_SMALL
+	if (pipeline->bays.worlds)
+	{
+		search = request->sleep && step->dt > 0.0f ? SEARCH_BAYS : SEARCH_NEVER;
+		runs_add(list, KERNEL_bay_sleep, 0, pipeline->live_bays, NO_COUNT, search ? (int)pipeline->steps : -1);
+	}
+#endif
 	runs_add(list, KERNEL_sleep_begin, 0, 1, NO_COUNT, search);
 	if (search != SEARCH_NEVER)
 	{

@@ -5,24 +5,20 @@
 #include "step/pipeline_state.h"
 #include <stdlib.h>
 
-#define COPIES  4 // worlds of the batch; the second one is reset once, the third one paused for some steps
-#define LAST    2 // the copy that is paused, and gets the state of another one
-#define PULLED  3 // the copy that gets another gravity
-#define AGES    7 // steps that are compared
-#define PAUSE   1 // first step without the last copy
-#define RESUME  4 // first step with it again
-#define ROW_AGE 1 // age at which a world is saved
+#define COPIES  4  // worlds of the batch; the second one is reset once, the third one paused for some steps
+#define LAST    2  // the copy that is paused, and gets the state of another one
+#define PULLED  3  // the copy that gets another gravity
+#define AGES    12 // steps that are compared: islands are searched in at least one of them
+#define PAUSE   1  // first step without the last copy
+#define RESUME  4  // first step with it again
+#define ROW_AGE 1  // age at which a world is saved
 
-// Lets a clone of a world stay awake from its next step on.
-static scree_status stay_awake(scree_world* world)
+// Takes a step of a clone of a world that does not sleep: sleep may have been turned off since the last step.
+static scree_status end_sleep(scree_world* world)
 {
 	scree_tuning tuning;
 	TRY(scree_world_get_tuning(world, &tuning));
-	if (!tuning.sleep)
-		return SCREE_OK;
-	tuning.sleep = false;
-	TRY(scree_world_set_tuning(world, &tuning));
-	return scree_world_step(world, 1.0f / 60.0f, 4);
+	return tuning.sleep ? SCREE_OK : scree_world_step(world, 1.0f / 60.0f, 4);
 }
 
 typedef struct // the batch of a world, and what leaves it
@@ -131,7 +127,7 @@ bool batch_repeat(scree_world* world, const Place* place, int* made)
 	def.threads = 1;
 	if (scree_world_clone(world, &def, &alone) != SCREE_OK)
 		return true;
-	if (stay_awake(alone) != SCREE_OK || scree_world_clone(alone, &def, &pulled) != SCREE_OK)
+	if (end_sleep(alone) != SCREE_OK || scree_world_clone(alone, &def, &pulled) != SCREE_OK)
 	{
 		scree_world_destroy(alone);
 		return true;

@@ -71,14 +71,13 @@ static inline void for_every_scene(void (*check)(const Scenario* scenario))
 	free(names);
 }
 
-// Opens a scene without sleep, after some of its steps.
+// Opens a scene after some of its steps.
 static inline scree_world* scene_world(const Scenario* scenario, int steps)
 {
 	scree_world_def def = scenario->def;
 	scree_world* world;
 	def.device = "cpu";
 	def.threads = 1;
-	def.sleep = false;
 	OK(scree_world_create(&def, &world));
 	scenario->build(world, scenario->context);
 	for (int step = 0; step < steps; ++step)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // gravity_calls.c -- sets the gravity of the worlds of a batch.
 #include "api/batch/batch_check.h"
+#include "batch/block_gravity.h"
 #include "platform/processor.h"
 #include "world/record/api_calls.h"
 #include "world/units/scale.h"
@@ -16,6 +17,8 @@ static scree_vec metric_gravity(const scree_batch* batch, const scree_vec* gravi
 	return metres;
 }
 
+static scree_status set_gravity(Block* block, const void* gravity) { return block_set_gravity(block, gravity); }
+
 scree_status api_batch_set_gravity(scree_batch* batch, const scree_vec* gravity)
 {
 	FLOAT_MODE_HERE;
@@ -23,21 +26,17 @@ scree_status api_batch_set_gravity(scree_batch* batch, const scree_vec* gravity)
 	TRY(batch_check(batch, function));
 	for (int k = 0; gravity && k < batch->worlds; ++k)
 		TRY(check_vec((ArgumentPlace){function, "gravity", k}, "", gravity[k], FLT_MAX));
-	if (gravity && !batch->gravity)
-		batch->gravity = scree_allocate(sizeof *gravity * (size_t)batch->worlds);
-	if (gravity && !batch->gravity)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d worlds", function, batch->worlds);
-	for (int k = 0; gravity && k < batch->worlds; ++k)
-		batch->gravity[k] = metric_gravity(batch, gravity, k);
-	if (!gravity)
+	scree_vec *before = batch->gravity, *now = NULL;
+	if (gravity)
 	{
-		scree_release(batch->gravity);
-		batch->gravity = NULL;
+		now = scree_allocate(sizeof *now * (size_t)batch->worlds);
+		if (!now)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d worlds", function, batch->worlds);
+		for (int k = 0; k < batch->worlds; ++k)
+			now[k] = metric_gravity(batch, gravity, k);
 	}
-	for (int k = 0; k < batch->block_count; ++k)
-	{
-		batch->blocks[k].gravity = batch->gravity;
-		batch->blocks[k].gravity_changed = true;
-	}
-	return SCREE_OK;
+	batch->gravity = now;
+	scree_status status = batch_note(batch, batch_each(batch, set_gravity, now));
+	scree_release(before);
+	return status;
 }

@@ -9,6 +9,7 @@
 #define BAY_COPY_H
 #include "constraints/joint_one.h"
 #include "stages/color/color.h"
+#include "stages/edit/active.h"
 
 typedef struct // a copy, and the differences of indices in its bays
 {
@@ -33,8 +34,8 @@ INLINE BayCopy bay_copy(const Pools* p, int n, int k, int size)
 	return c;
 }
 
-// Copies the values of the world of copy n. A world that leaves the live bays takes along that joints have changed; one
-// that enters them runs, so it is not crowded.
+// Copies the values of the world of copy n. A world that leaves the live bays takes along that joints have changed, and its
+// number of steps; one that enters them runs, so it is not crowded. argument: Pipeline.steps.
 INLINE void bay_copy_values(const Pools* p, int n, int live)
 {
 	Int2 copy = p->bay_copy[n];
@@ -45,6 +46,8 @@ INLINE void bay_copy_values(const Pools* p, int n, int live)
 		raise_int(&p->counters->joints_dirty, 0x7fffffff);
 	if (live && p->step.belts)
 		raise_int(&p->counters->belts, 1); // the belt of a contact may have changed just before the world was saved
+	if (live != (copy.x < p->step.bays.worlds))
+		state.steps += live ? -p->argument : p->argument;
 	if (live)
 		state.crowded = 0;
 	else if (p->counters->joints_dirty)
@@ -70,6 +73,12 @@ KERNEL(bay_copy_body)
 		bay_copy_values(p, n, c.live);
 	if (p->continuous_body[c.to].first > 0)
 		p->continuous_body[c.to].first += c.collidable;
+	if (c.live && p->step.sleep)
+	{
+		active_touch(p, GROUPS_OF_BODIES, c.to);
+		if (p->wake[c.to] != 0) // a call of the user marked this island
+			raise_int(&p->counters->woken, 0x7fffffff);
+	}
 	p->static_contact[c.to] += c.contact; // also of a body without such a contact; its value is compared with the pair
 	body_stand(p, c.to);
 }
@@ -86,6 +95,8 @@ KERNEL(bay_copy_collidable)
 	if (p->next_collidable[c.to] > 0)
 		p->next_collidable[c.to] += c.collidable;
 	p->world_shape[c.to].body += c.body;
+	if (c.live && p->step.sleep)
+		active_touch(p, GROUPS_OF_COLLIDABLES, c.to);
 }
 
 // Gives the constraint that was copied to slot `to` a place: that of the constraint before, if it had the same color, or
@@ -134,6 +145,8 @@ KERNEL(bay_copy_contact)
 		p->contact_color[c.to] = COLOR_NONE;
 		p->contact_place[c.to] = -1;
 	}
+	if (c.live && p->step.sleep)
+		active_touch(p, GROUPS_OF_CONTACTS, c.to);
 	if (c.live && uses != used)
 		atomic_add_int(&p->counters->alive, uses - used);
 	if (c.live && p->contact_color[c.to] == COLORS)
@@ -156,8 +169,9 @@ KERNEL(bay_copy_joint)
 	p->joint_bodies[c.to] = make_int2(bodies.x + c.body, bodies.y + c.body);
 	p->joint_data[c.to].body_a += c.body;
 	p->joint_data[c.to].body_b += c.body;
-	int flags = p->joint_flags[c.to], changed = c.live ? flags_before ^ flags : 0;
-	int begins = joint_wanted(flags) != (p->joint_color[c.to] != COLOR_NONE) || flags & (JOINT_NEW | JOINT_RESTARTS);
+	int flags = p->joint_flags[c.to], changed = c.live ? (flags_before ^ flags) & ~JOINT_ASLEEP : 0;
+	int acts = joint_wanted(flags) && !(flags & JOINT_ASLEEP);
+	int begins = acts != (p->joint_color[c.to] != COLOR_NONE) || flags & (JOINT_NEW | JOINT_RESTARTS);
 	int others = c.live && (p->joint_data[c.to].body_a != a_before || p->joint_data[c.to].body_b != b_before);
 	if (changed & (JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN) || others) // the pairs that joints keep apart
 		raise_int(&p->counters->joints_dirty, 0x7fffffff);
@@ -192,6 +206,7 @@ KERNEL(bay_move_contact)
 	if (p->contact_place[to] >= 0)
 		p->contact_place_slot[p->contact_place[to]] = to;
 	p->pair[from] = make_int2(-1, -1);
+	p->contact_flags[from] = 0;
 	p->contact_color[from] = COLOR_NONE;
 	p->contact_place[from] = -1;
 }

@@ -20,7 +20,10 @@ KERNEL(bay_hash)
 	origin.attribute = bay.attribute;
 	Word64 sum = 0;
 	for (int k = 0; k < bay.bodies; ++k)
-		sum += item_hash(p, PER_BODY, bodies + k, hash_begin(HASH_BODY, k), origin);
+	{
+		Word64 h = item_hash(p, PER_BODY, bodies + k, hash_begin(HASH_BODY, k), origin);
+		sum += bay.sleep_threshold >= 0.0f ? hash_sleep(p, bodies + k, h) : h;
+	}
 	for (int k = 0; k < bay.collidables; ++k)
 		if (p->collidable_kind[collidables + k] != KIND_DEAD)
 			sum += item_hash(p, PER_COLLIDABLE, collidables + k, hash_begin(HASH_COLLIDABLE, k), origin);

@@ -4,6 +4,7 @@
 #define CHANNEL_INPUT_H
 #include "pools/bays.h"
 #include "stages/color/joint_edges.h"
+#include "stages/edit/active.h"
 #include "stages/edit/command.h"
 #include "stages/read/moved_bodies.h"
 
@@ -58,7 +59,7 @@ INLINE Command channel_command(const Pools* p, const GLOBAL Channel* c, int body
 	command.kind = COMMAND_FORCE;
 	command.index = body;
 	command.whole[0] = c->locks;
-	command.whole[1] = p->stored_velocity[body].stored != 0.0f ? COMMAND_DISABLED : 0;
+	command.whole[1] = c->bits | (p->stored_velocity[body].stored != 0.0f ? COMMAND_DISABLED : 0);
 	command.value = make_float4(v[0], 0.0f, 0.0f, 0.0f);
 	switch (c->kind)
 	{
@@ -99,19 +100,28 @@ INLINE Command channel_command(const Pools* p, const GLOBAL Channel* c, int body
 INLINE void channel_joint_set(const Pools* p, const GLOBAL Channel* c, int slot, float value)
 {
 	GLOBAL JointData* data = p->joint_data + slot;
-	float flushed = flush_tiny(value);
-	switch (c->kind)
-	{
-	case CHANNEL_SET_MOTOR_SPEED:
-		data->drive[c->which].speed = flushed;
-		break;
-	case CHANNEL_SET_MOTOR_MAX:
-		data->drive[c->which].motor_most = flushed;
-		break;
-	case CHANNEL_SET_JOINT_TARGET:
-		data->lock[c->which].target = flush_tiny(minimum(maximum(value, c->lower), c->upper));
-		break;
-	}
+	GLOBAL float* to = c->kind == CHANNEL_SET_MOTOR_SPEED ? &data->drive[c->which].speed
+	                   : c->kind == CHANNEL_SET_MOTOR_MAX ? &data->drive[c->which].motor_most
+	                                                      : &data->lock[c->which].target;
+	if (c->kind == CHANNEL_SET_JOINT_TARGET)
+		value = minimum(maximum(value, c->lower), c->upper);
+	value = flush_tiny(value);
+	if (p->step.sleep && float_bits(*to) != float_bits(value))
+		p->joint_flags[slot] |= JOINT_STIRS;
+	*to = value;
+}
+
+// Applies a command to a body. In a step with sleep, ends the rest of the groups of an awake body: alone, a world collects
+// these groups on the host (world/device/touched.c).
+INLINE void channel_apply(const Pools* p, Command command)
+{
+	int body = command.index, rests = !(p->body[body].inv_mass > 0.0f) || p->sleep[body] != 0;
+	command_apply(p, command);
+	if (!p->step.sleep || p->sleep[body] != 0)
+		return;
+	active_touch_body(p, body);
+	if (rests || command.kind == COMMAND_POSE)
+		raise_int(&p->counters->touched, 0x7fffffff);
 }
 
 // Returns whether forces and torques act, which steps need again: other inputs stay in the state of the world.
@@ -158,9 +168,41 @@ KERNEL(channel_input)
 			command.kind = COMMAND_VELOCITY;
 			command.value = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 		}
-		command_apply(p, command);
+		channel_apply(p, command);
 		if (command.kind == COMMAND_POSE && p->step.paths)
 			channel_seek(p, at.bay, body);
+	}
+}
+
+// Wakes a body whose joint was changed, as a call of the user does.
+INLINE void channel_stir_body(const Pools* p, int body)
+{
+	Command command;
+	if (!(p->body[body].inv_mass > 0.0f))
+		return;
+	command.kind = COMMAND_JOINTS;
+	command.index = body;
+	command.whole[0] = 0;
+	command.whole[1] = p->stored_velocity[body].stored != 0.0f ? COMMAND_DISABLED : 0;
+	command.value = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	channel_apply(p, command);
+}
+
+// Item: a row of inputs, in a step with sleep. Wakes the bodies of the joints that inputs changed. One item has all joints of
+// a world, because joints share bodies. argument: as in channel_group.
+KERNEL(channel_stir)
+{
+	int bits = p->step.bays.joint_bits, bay = RUN_LOW(p->argument) & CHANNEL_COPIES ? p->bay_copy[i].y : i;
+	for (int slot = bay << bits; slot < (bay + 1) << bits; ++slot)
+	{
+		int flags = p->joint_flags[slot];
+		if (!(flags & JOINT_STIRS))
+			continue;
+		p->joint_flags[slot] = flags & ~JOINT_STIRS;
+		if (p->bay[bay].sleep_threshold < 0.0f)
+			continue;
+		channel_stir_body(p, p->joint_data[slot].body_a);
+		channel_stir_body(p, p->joint_data[slot].body_b);
 	}
 }
 

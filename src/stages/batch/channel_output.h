@@ -3,6 +3,7 @@
 #ifndef CHANNEL_OUTPUT_H
 #define CHANNEL_OUTPUT_H
 #include "stages/batch/channel_input.h"
+#include "stages/read/contact_report.h"
 #include "stages/read/joint_report.h"
 #include "stages/read/query.h"
 
@@ -63,9 +64,8 @@ INLINE void channel_touch(const Pools* p, const GLOBAL Channel* c, int bay, GLOB
 		if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
 			continue;
 		++touches;
-		int place = p->contact_place[slot];
-		if (place >= 0)
-			sum = sum + (contact_row(p, normal_impulse1, place) + contact_row(p, normal_impulse2, place));
+		Float4 impulses = contact_impulses(p, slot);
+		sum = sum + (impulses.x + impulses.y);
 	}
 	to[1] = touches > 0 && to[0] == 0.0f ? 1.0f : 0.0f;
 	to[0] = (float)touches;

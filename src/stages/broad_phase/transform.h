@@ -98,7 +98,7 @@ KERNEL(bay_begin)
 	state->taut_seen = state->taut;
 	if (state->taut)
 		raise_int(&p->counters->taut, 1);
-	state->h_ratio = state->substep > 0.0f ? quotient(p->step.h, state->substep) : 1.0f;
+	bay_set_ratio(p, state);
 	state->substep = p->step.h;
 }
 #endif

@@ -7,7 +7,7 @@
 #ifndef ASLEEP_H
 #define ASLEEP_H
 #include "dialect/dialect.h"
-#include "pools/pools.h"
+#include "pools/bays.h"
 
 INLINE int body_is_moving(const Pools* p, int i)
 {
@@ -15,8 +15,13 @@ INLINE int body_is_moving(const Pools* p, int i)
 	return body.vx != 0.0f || body.vy != 0.0f || body.w != 0.0f;
 }
 
-// Returns the number of the island of a sleeping body; -1 for an awake body.
-INLINE int body_island(const Pools* p, int i) { return (p->sleep[i] & SLEEP_ISLAND) - 1; }
+// Returns the island of a sleeping body, a body of its world; -1 for an awake body. The pool contains the index within the
+// bay.
+INLINE int body_island(const Pools* p, int i)
+{
+	int island = (p->sleep[i] & SLEEP_ISLAND) - 1;
+	return island < 0 ? -1 : island + bay_first_body(p, i);
+}
 
 // Returns the time of rest of a body, or STILL_*. Other work-items may clear STILL_MADE at the same time (island_wake).
 INLINE float body_still(const Pools* p, int i) { return bits_float(read_shared((GLOBAL int*)p->still + i)); }
@@ -105,7 +110,7 @@ INLINE void body_sleep(const Pools* p, int i, int island)
 	int locks = p->sleep[i] & ~SLEEP_ISLAND;
 	if (p->sleep[i] == 0)
 		locks = (p->motion[i].free_x == 0.0f ? SLEEP_LOCK_X : 0) | (p->motion[i].free_y == 0.0f ? SLEEP_LOCK_Y : 0);
-	p->sleep[i] = locks | (1 + island);
+	p->sleep[i] = locks | (1 + island - bay_first_body(p, i));
 	p->still[i] = 0.0f;
 	p->motion[i].free_x = 0.0f;
 	p->motion[i].free_y = 0.0f;

@@ -64,15 +64,19 @@ INLINE void finalize_awake(const Pools* p, int i, int dynamic, Vec d, float da)
 	if (p->stored_velocity[i].stored != 0.0f)
 		return;
 	raise_int(&p->counters->movers, 1);
-	if (!dynamic)
+	float own = p->sleep_threshold[i], general = bay_sleep_threshold(p, i), still = maximum(p->still[i], 0.0f);
+	if (!dynamic || general < 0.0f)
 		return;
-	float own = p->sleep_threshold[i], still = maximum(p->still[i], 0.0f);
-	float most = p->step.dt * (own > 0.0f ? own : p->step.sleep_threshold);
+	float most = p->step.dt * (own > 0.0f ? own : general);
 	float far = absolute(d.x) + absolute(d.y) + absolute(da) * p->continuous_body[i].reach;
 	still = far <= most ? still + p->step.dt : 0.0f;
 	p->still[i] = still;
 	if (still >= SLEEP_TIME && own >= 0.0f)
+	{
 		raise_int(&p->counters->drowsy, 1);
+		if (BATCHED(p))
+			raise_int(&bay_state_of(p, i)->drowsy, 1);
+	}
 }
 
 INLINE void finalize_body(const Pools* p, int i)

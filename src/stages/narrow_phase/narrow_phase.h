@@ -234,7 +234,11 @@ RARE int narrow_phase_asleep(const Pools* p, int i, Word flags, int moved)
 	if (fixed ? moved & COLLIDABLE_SHIFTED : a < 0 || b < 0)
 		island_wake_both(p, bodies);
 	else if (!fixed && a != b)
+	{
 		raise_int(&p->counters->joined_islands, 1);
+		if (BATCHED(p))
+			raise_int(&bay_of_contact(p, i)->joined_islands, 1);
+	}
 	if (!(flags & CONTACT_TOUCHING))
 		p->contact_press[i] = 0;
 	p->contact_flags[i] |= CONTACT_ASLEEP;

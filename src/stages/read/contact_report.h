@@ -5,6 +5,21 @@
 #include "constraints/constraint_kinds.h"
 #include "constraints/contact_report_points.h"
 
+// Returns the impulses of contact i in the last substep, two along the normal and two across; those that a sleeping contact
+// keeps; or 0.
+INLINE Float4 contact_impulses(const Pools* p, int i)
+{
+	int c = p->contact_place[i];
+	const GLOBAL ContactKept* kept = p->contact_kept + i;
+	if (c >= 0)
+		return make_float4(contact_row(p, normal_impulse1, c), contact_row(p, normal_impulse2, c),
+		                   contact_row(p, tangent_impulse1, c), contact_row(p, tangent_impulse2, c));
+	if (p->contact_flags[i] & CONTACT_ASLEEP)
+		return make_float4(kept->normal_impulse1, kept->normal_impulse2, kept->tangent_impulse1,
+		                   kept->tangent_impulse2);
+	return make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+}
+
 INLINE void contact_report_write(const Pools* p, int i, int row)
 {
 	ContactReport listed;
@@ -23,16 +38,7 @@ INLINE void contact_report_write(const Pools* p, int i, int row)
 	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * i + 1, manifold + 8);
 	ContactPoints at = contact_report_points(p->attribute, a, b, manifold, listed.flags, listed.feature);
 	contact_report_place(&listed, &at, a[0], a[1]);
-	listed.impulse = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	if (c >= 0)
-		listed.impulse = make_float4(contact_row(p, normal_impulse1, c), contact_row(p, normal_impulse2, c),
-		                             contact_row(p, tangent_impulse1, c), contact_row(p, tangent_impulse2, c));
-	else if (listed.flags & CONTACT_ASLEEP)
-	{
-		const GLOBAL ContactKept* kept = p->contact_kept + i;
-		listed.impulse =
-		    make_float4(kept->normal_impulse1, kept->normal_impulse2, kept->tangent_impulse1, kept->tangent_impulse2);
-	}
+	listed.impulse = contact_impulses(p, i);
 	listed.detail = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	if (c >= 0 && p->step.details)
 		listed.detail = make_float4(contact_rare(p, total_impulse1, c), contact_rare(p, total_impulse2, c),

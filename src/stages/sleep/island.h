@@ -77,7 +77,10 @@ INLINE int search_item(const Pools* p, int kind, int i)
 	return p->counters->search_all ? i : listed_item(p, kind, i);
 }
 
-INLINE int search_visits(const Pools* p, int body) { return p->counters->search_all || p->sleep[body] == 0; }
+INLINE int search_visits(const Pools* p, int body)
+{
+	return (p->counters->search_all || p->sleep[body] == 0) && bay_searches(p, body);
+}
 
 KERNEL(island_begin)
 {

@@ -36,11 +36,42 @@ KERNEL(joint_wake)
 		island_wake_both(p, bodies);
 }
 
-// Decides which of the kernels below run. argument: SEARCH_NEVER, SEARCH_DROWSY or SEARCH_NOW.
+#ifndef SCREE_SMALL // a build for WebAssembly has no batches
+// Item: a live bay. Decides whether the step searches the islands of the world. argument: Pipeline.steps; -1 in a step
+// that searches none.
+KERNEL(bay_sleep)
+{
+	GLOBAL BayState* state = p->bay_state + i;
+	GLOBAL Counters* c = p->counters;
+	int due = p->argument >= 0 && (p->argument + state->steps) % SLEEP_STEPS == 0;
+	if (c->stalled)
+		return;
+	state->searches = p->argument >= 0 && (state->settles || (due && (state->drowsy || state->joined_islands)));
+	if (state->searches)
+		raise_int(&c->bays_search, 1);
+	if (state->settles || state->joined_islands)
+		raise_int(&c->bays_settle, 1);
+	if (p->argument < 0)
+		return;
+	bay_set_ratio(p, state); // joint_rescale runs before bay_begin
+	if (due || state->settles)
+		state->drowsy = state->joined_islands = 0;
+	state->settles = 0;
+}
+#endif
+
+// Decides which of the kernels below run. argument: SEARCH_NEVER, SEARCH_DROWSY, SEARCH_NOW or, in a batch, SEARCH_BAYS.
 KERNEL(sleep_begin)
 {
 	GLOBAL Counters* c = p->counters;
 	int search = p->argument == SEARCH_NOW || (p->argument && (c->drowsy | c->joined_islands));
+	int all = p->argument == SEARCH_NOW || c->joined_islands;
+	if (BATCHED(p))
+	{
+		search = c->bays_search;
+		all = c->joined_islands = c->bays_settle;
+		c->bays_search = c->bays_settle = 0;
+	}
 	c->searching = 0;
 	c->search_bodies = 0;
 	c->search_contacts = 0;
@@ -52,8 +83,8 @@ KERNEL(sleep_begin)
 	c->touched = 0;
 	c->marked = c->woken;
 	c->settling = c->woken;
-	c->waking = search ? 0 : c->woken;
-	c->search_all = p->argument == SEARCH_NOW || c->joined_islands || c->woken;
+	c->waking = search && !BATCHED(p) ? 0 : c->woken;
+	c->search_all = all || c->woken;
 	if (search)
 	{
 		c->searching = 0x7fffffff;
@@ -61,7 +92,7 @@ KERNEL(sleep_begin)
 		c->search_contacts = c->search_all ? 0x7fffffff : c->active_items[GROUPS_OF_CONTACTS];
 	}
 	c->woken = 0;
-	if (p->argument)
+	if (p->argument && !BATCHED(p))
 	{
 		c->drowsy = 0;
 		c->joined_islands = 0;
@@ -72,7 +103,7 @@ KERNEL(sleep_begin)
 // Wakes the bodies of marked islands, in a step that does not search for islands; island_end does it in the others.
 KERNEL(body_wake)
 {
-	if (body_mark(p, i))
+	if (body_mark(p, i) && !(BATCHED(p) && bay_searches(p, i)))
 	{
 		body_rise(p, i);
 		active_touch_body(p, i);
@@ -148,20 +179,33 @@ KERNEL(joint_rescale)
 		joint_scale_asleep(p, i, h_ratio_at(p, i));
 }
 
-// Item: a body, for a call of the user between two steps. Wakes it in the next step, or puts it to sleep there.
-// argument: 1 to wake, 0 to sleep.
-KERNEL(set_awake)
+// Wakes a body in the next step, for a call of the user between two steps, or puts it to sleep there.
+INLINE void body_set_awake(const Pools* p, int i, int awake)
 {
 	float still = p->still[i];
 	if (!body_takes_part(p, i))
 		return;
-	if (p->argument && p->sleep[i])
+	if (awake && p->sleep[i])
 		island_wake(p, i, WAKE_USER);
-	if (p->argument && (still == STILL_FORCED || still > 0.0f))
+	if (awake && (still == STILL_FORCED || still > 0.0f))
 		p->still[i] = 0.0f;
-	if (!p->argument && p->sleep_threshold[i] >= 0.0f)
+	if (!awake && p->sleep_threshold[i] >= 0.0f)
 		p->still[i] = STILL_FORCED;
 }
+
+// Item: a body. argument: 1 to wake, 0 to sleep.
+KERNEL(set_awake) { body_set_awake(p, i, p->argument); }
+
+#ifndef SCREE_SMALL // a build for WebAssembly has no batches
+// Item: a body of the bay y of an entry of bay_copy. Wakes it.
+KERNEL(bay_wake)
+{
+	const Bays* bays = &p->step.bays;
+	int n = bay_of_body(p, i), bay = p->bay_copy[n].y;
+	if (p->bay[bay].sleep_threshold >= 0.0f)
+		body_set_awake(p, bay_item(bays->worlds, bay, i - n * bays->bodies, bays->bodies), 1);
+}
+#endif
 
 // Item: a body that the user destroys, before its row is cleared.
 KERNEL(body_gone) { body_gone_wake(p, i); }
