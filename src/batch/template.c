@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // template.c -- reads a world as the template of worlds of a batch, into host memory.
 #include "batch/template.h"
+#include "batch/template_visits.h"
 #include "constraints/constraint_kinds.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
@@ -55,8 +56,8 @@ static scree_status check_template(const scree_world* world, const char* functio
 		return refuse_template(function, number, "bodies that may sleep");
 	if (world->fields.slots.alive > 0)
 		return refuse_template(function, number, "fields");
-	if (world->sensors.alive > 0 || world->sensors.visit_count > 0) // visits to a destroyed sensor end in the next step
-		return refuse_template(function, number, "sensors");
+	if (!visits_are_plain(world)) // they end in the next step
+		return refuse_template(function, number, "visits to a collidable that is no longer a sensor");
 	if (p->asks)
 		return refuse_template(function, number, "contacts that need approval");
 	if (world->target_count > 0)
@@ -156,7 +157,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	TRY(world_note(world, world->backend->f->read(world->backend, POOL_counters, 0, 1, c)));
 	made->contacts = c->contacts;
 	made->joints = c->joints;
-	made->hidden = world_hidden_hash(world);
+	made->hidden = world_hidden_hash(world) - world_visits_hash(world);
 	read_settings(world, made);
 	size_t kinematics = (size_t)world->kinematic_count;
 	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));
@@ -164,6 +165,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a template", function);
 	if (kinematics > 0)
 		memcpy(made->kinematics, world->kinematics, sizeof(int) * kinematics);
+	TRY(visits_read(world, function, made));
 	TRY(read_pools(world, function, made));
 	leave_places(made);
 	return chains_find(world, &made->chains, &made->chain_memory);
@@ -216,5 +218,7 @@ void template_close(Template* made)
 	scree_world_destroy(made->world);
 	scree_release(made->chain_memory);
 	scree_release(made->kinematics);
+	scree_release(made->sensors);
+	scree_release(made->visits);
 	*made = (Template){.bodies = 0};
 }

@@ -15,10 +15,13 @@ typedef struct
 	int material_table;                // number of its table of pairs of materials; 0, an empty one, if it has none
 	Pipeline pipeline;                 // flags, counters and constants of the last step; owns no memory
 	StepRequest request;               // settings of a step; without arrays
-	uint64_t hidden;                   // the part of the hash that only the host has
+	uint64_t hidden;                   // the part of the hash that only the host has, without visits to sensors
 	ChainSearch chains;                // chains and branches
 	char* chain_memory;
-	int* kinematics;      // indices of the kinematic bodies
+	int* kinematics; // indices of the kinematic bodies
+	int* sensors;    // indices of the collidables that are sensors, ascending
+	int sensor_count;
+	Word* visits;         // visits at the end of the last step: visit_words(collidables) words of bits for each sensor
 	uint64_t fingerprint; // fingerprint_of; 0 before a batch or an insertion sets it
 } Template;
 

@@ -74,6 +74,14 @@ INLINE GLOBAL BayState* bay_of_joint(const Pools* p, int slot)
 	return p->bay_state + (slot >> p->step.bays.joint_bits);
 }
 
+// Return the number of words of the bits of a sensor, one bit for each collidable of a bay; and of a bay in the pool
+// bay_visit, where the bits of all sensors follow their list.
+INLINE int visit_words(int collidables) { return (collidables + 31) / 32; }
+INLINE int visit_size(int sensors, int collidables) { return sensors * (1 + visit_words(collidables)); }
+
+// Entry of the list of sensors of a bay, for no sensor.
+#define VISIT_NONE 0xffffffffu
+
 // Bits of the argument of bay_count: worlds may have joints; joints got other spots; excluded pairs changed.
 #define BAY_COUNT_JOINTS   1
 #define BAY_COUNT_SPOTS    2
