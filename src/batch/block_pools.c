@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // block_pools.c -- writes templates, and data that all worlds of a template share, into the pools of a block.
 #include "batch/block_pools.h"
-#include "batch/template_visits.h"
 #include "platform/error.h"
 #include "pools/bays.h"
 #include "step/bay_layout.h"
@@ -29,7 +28,7 @@ static scree_status fill_visits(Block* block, const Template* from, int bay)
 	Word* words = scree_allocate(sizeof *words * (size_t)size);
 	if (!words)
 		return no_memory();
-	visits_put(bays, from, from ? from->visits : NULL, words);
+	visits_put(bays, from ? &from->visits : NULL, from ? from->visits.bits : NULL, words);
 	scree_status status = b->f->write(b, POOL_bay_visit, bay * size, size, words);
 	scree_release(words);
 	return status;

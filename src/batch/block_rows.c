@@ -5,7 +5,6 @@
 #include "batch/block_rows.h"
 #include "batch/block_channels.h"
 #include "batch/block_places.h"
-#include "batch/template_visits.h"
 #include "batch/world_row.h"
 #include "pools/bays.h"
 #include "step/bay_layout.h"
@@ -159,7 +158,7 @@ static scree_status write_visits(Staged* s)
 	for (int n = 0; n < s->count; ++n)
 	{
 		row_layout(s->heads[n].count, at);
-		visits_take(bays, s->templates[n], (const Word*)(const void*)s->items + (size_t)n * (size_t)size,
+		visits_take(bays, &s->templates[n]->visits, (const Word*)(const void*)s->items + (size_t)n * (size_t)size,
 		            (Word*)(void*)(s->rows[n] + at[POOL_bay_visit]));
 	}
 	return SCREE_OK;
@@ -178,7 +177,7 @@ static scree_status read_visits(Staged* s)
 	for (int n = 0; n < s->count; ++n)
 	{
 		row_layout(s->heads[n].count, at);
-		visits_put(bays, s->templates[n], (const Word*)(const void*)(s->rows[n] + at[POOL_bay_visit]),
+		visits_put(bays, &s->templates[n]->visits, (const Word*)(const void*)(s->rows[n] + at[POOL_bay_visit]),
 		           (Word*)(void*)s->items + (size_t)n * (size_t)size);
 	}
 	return b->f->write(b, POOL_bay_visit, block->stage * size, s->count * size, s->items);

@@ -4,7 +4,6 @@
 // A world gets the structure of its template from a clone, then the items of the row; its constraints are laid out as
 // in a step, so that no later bit differs.
 #include "batch/row_world.h"
-#include "batch/template_visits.h"
 #include "step/relayout.h"
 #include "step/reserve.h"
 #include "step/tree_maintenance.h"
@@ -39,7 +38,7 @@ scree_status row_of_world(const Template* read, const char* function, char** row
 		if (kind == ROW_CONTACTS)
 			row_tidy((PoolId)pool, items, read->image.pair, head.count[kind]);
 	}
-	memcpy(*row + at[POOL_bay_visit], read->visits, sizeof *read->visits * (size_t)visits_of(read));
+	memcpy(*row + at[POOL_bay_visit], read->visits.bits, sizeof(Word) * (size_t)visits_of(&read->visits));
 	row_seal(*row, &head);
 	return SCREE_OK;
 }
@@ -177,7 +176,7 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 	take_host(world, head, row);
 	Counters counters; // this read also stores the counters in the backend, and reports failed writes
 	TRY(b->f->read(b, POOL_counters, 0, 1, &counters));
-	return visits_give(world, from, row + at[POOL_bay_visit]);
+	return visits_give(world, &from->visits, row + at[POOL_bay_visit]);
 }
 
 scree_status world_take_row(scree_world* world, const Template* from, const char* row)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // template.c -- reads a world as the template of worlds of a batch, into host memory.
 #include "batch/template.h"
-#include "batch/template_visits.h"
 #include "constraints/constraint_kinds.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
@@ -165,7 +164,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a template", function);
 	if (kinematics > 0)
 		memcpy(made->kinematics, world->kinematics, sizeof(int) * kinematics);
-	TRY(visits_read(world, function, made));
+	TRY(visits_read(world, function, &made->visits));
 	TRY(read_pools(world, function, made));
 	leave_places(made);
 	return chains_find(world, &made->chains, &made->chain_memory);
@@ -218,7 +217,6 @@ void template_close(Template* made)
 	scree_world_destroy(made->world);
 	scree_release(made->chain_memory);
 	scree_release(made->kinematics);
-	scree_release(made->sensors);
-	scree_release(made->visits);
+	visits_close(&made->visits);
 	*made = (Template){.bodies = 0};
 }

@@ -2,6 +2,7 @@
 // template.h -- reads a world as the template of worlds of a batch, into host memory.
 #ifndef BATCH_TEMPLATE_H
 #define BATCH_TEMPLATE_H
+#include "batch/visit_bits.h"
 #include "world/chain/chain_search.h"
 #include "world/world.h"
 
@@ -19,9 +20,7 @@ typedef struct
 	ChainSearch chains;                // chains and branches
 	char* chain_memory;
 	int* kinematics; // indices of the kinematic bodies
-	int* sensors;    // indices of the collidables that are sensors, ascending
-	int sensor_count;
-	Word* visits;         // visits at the end of the last step: visit_words(collidables) words of bits for each sensor
+	VisitBits visits;
 	uint64_t fingerprint; // fingerprint_of; 0 before a batch or an insertion sets it
 } Template;
 

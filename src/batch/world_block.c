@@ -66,7 +66,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		sizes.collidables = larger(sizes.collidables, from->collidables);
 		sizes.contacts = larger(sizes.contacts, from->contacts);
 		sizes.joints = larger(sizes.joints, from->joints);
-		sizes.sensors = larger(sizes.sensors, from->sensor_count);
+		sizes.sensors = larger(sizes.sensors, from->visits.count);
 	}
 	Pipeline* p = &block->pipeline;
 	TRY(pipeline_open(p, backend, 0, 0));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // world_row.c -- lays out rows, seals and checks them.
 #include "batch/world_row.h"
-#include "batch/template_visits.h"
 #include "dialect/hash_word.h"
 #include "step/bay_layout.h"
 #include <stddef.h>
@@ -72,7 +71,7 @@ void row_count(const Template* from, int contacts, int count[ROW_KINDS])
 	count[ROW_COLLIDABLES] = from->collidables;
 	count[ROW_CONTACTS] = contacts;
 	count[ROW_JOINTS] = from->joints;
-	count[ROW_VISITS] = visits_of(from);
+	count[ROW_VISITS] = visits_of(&from->visits);
 }
 
 static size_t aligned(size_t bytes) { return (bytes + ROW_ALIGN - 1) / ROW_ALIGN * ROW_ALIGN; }

@@ -15,7 +15,7 @@ enum // kinds of items of a row
 	ROW_COLLIDABLES,
 	ROW_CONTACTS,
 	ROW_JOINTS,
-	ROW_VISITS, // words of the bits of visits, as in Template.visits
+	ROW_VISITS, // words of the bits of visits, as in VisitBits
 	ROW_KINDS
 };
 

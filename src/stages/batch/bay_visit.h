@@ -29,8 +29,8 @@ INLINE int visit_lasts(const Pools* p, int sensor, WorldShape a, int visitor, Wo
 	return !(sensor_apart(p, a, b, end, &normal) > 0.0f);
 }
 
-// Returns a word of the bits of a sensor. first: first collidable of the bay; name, others: the sensor, and the collidable
-// of the first bit, within the world.
+// Returns a word of the bits of a sensor. first: first collidable of the bay; name: the sensor within the world; others:
+// the collidable within the world that has the first bit.
 INLINE Word visit_bits(const Pools* p, int first, int name, int others)
 {
 	int sensor = first + name, end = p->step.bays.collidables < others + 32 ? p->step.bays.collidables : others + 32;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// template_visits.c -- converts the visits to the sensors of a world: from the host's list, to bits, and to bays.
-#include "batch/template_visits.h"
+// visit_bits.c -- converts the visits to the sensors of a world: from the host's list, to bits, and to bays.
+#include "batch/visit_bits.h"
 #include "platform/error.h"
 #include "world/objects/sensors.h"
 #include <string.h>
@@ -18,33 +18,41 @@ bool visits_are_plain(const scree_world* world)
 	return true;
 }
 
-scree_status visits_read(const scree_world* world, const char* function, Template* made)
+scree_status visits_read(const scree_world* world, const char* function, VisitBits* made)
 {
 	const Sensors* s = &world->sensors;
-	int words = visit_words(made->collidables);
+	int words = visit_words(world->collidables.used);
 	size_t sensors = (size_t)s->alive;
+	*made = (VisitBits){.collidables = world->collidables.used};
 	made->sensors = scree_allocate(sizeof(int) * (sensors + 1));
-	made->visits = scree_allocate(sizeof(Word) * (sensors * (size_t)words + 1));
-	if (!made->sensors || !made->visits)
+	made->bits = scree_allocate(sizeof(Word) * (sensors * (size_t)words + 1));
+	if (!made->sensors || !made->bits)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d sensors of a template", function, s->alive);
-	for (int k = 0; k < made->collidables && made->sensor_count < s->alive; ++k)
+	for (int k = 0; k < made->collidables && made->count < s->alive; ++k)
 		if (is_sensor(world, k))
-			made->sensors[made->sensor_count++] = k;
-	memset(made->visits, 0, sizeof(Word) * (sensors * (size_t)words + 1));
+			made->sensors[made->count++] = k;
+	memset(made->bits, 0, sizeof(Word) * (sensors * (size_t)words + 1));
 	for (int k = 0, n = 0; k < s->visit_count; ++k) // both lists are sorted by sensor
 	{
 		while (made->sensors[n] != s->visits[k].sensor)
 			++n;
-		made->visits[n * words + s->visits[k].visitor / 32] |= 1u << s->visits[k].visitor % 32;
+		made->bits[n * words + s->visits[k].visitor / 32] |= 1u << s->visits[k].visitor % 32;
 	}
 	return SCREE_OK;
 }
 
-int visits_of(const Template* from) { return from->sensor_count * visit_words(from->collidables); }
-
-void visits_put(const Bays* bays, const Template* from, const void* bits, Word* to)
+void visits_close(VisitBits* made)
 {
-	int words = visit_words(bays->collidables), count = from ? from->sensor_count : 0;
+	scree_release(made->sensors);
+	scree_release(made->bits);
+	*made = (VisitBits){.count = 0};
+}
+
+int visits_of(const VisitBits* from) { return from->count * visit_words(from->collidables); }
+
+void visits_put(const Bays* bays, const VisitBits* from, const void* bits, Word* to)
+{
+	int words = visit_words(bays->collidables), count = from ? from->count : 0;
 	size_t bytes = from ? sizeof(Word) * (size_t)visit_words(from->collidables) : 0;
 	memset(to, 0, sizeof(Word) * (size_t)visit_size(bays->sensors, bays->collidables));
 	for (int k = 0; k < bays->sensors; ++k)
@@ -53,15 +61,15 @@ void visits_put(const Bays* bays, const Template* from, const void* bits, Word* 
 		memcpy(to + bays->sensors + k * words, (const char*)bits + bytes * (size_t)k, bytes);
 }
 
-void visits_take(const Bays* bays, const Template* from, const Word* words, void* bits)
+void visits_take(const Bays* bays, const VisitBits* from, const Word* words, void* bits)
 {
 	int row = visit_words(bays->collidables);
 	size_t bytes = sizeof(Word) * (size_t)visit_words(from->collidables);
-	for (int k = 0; k < from->sensor_count; ++k)
+	for (int k = 0; k < from->count; ++k)
 		memcpy((char*)bits + bytes * (size_t)k, words + bays->sensors + k * row, bytes);
 }
 
-scree_status visits_give(scree_world* world, const Template* from, const void* bits)
+scree_status visits_give(scree_world* world, const VisitBits* from, const void* bits)
 {
 	int words = visit_words(from->collidables), count = 0, capacity = 32 * visits_of(from);
 	if (capacity == 0)
