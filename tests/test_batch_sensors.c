@@ -3,8 +3,14 @@
 //
 // Formula: hash, visits and counters of a world of a batch = those of the same world alone after the same calls. The hash
 // covers the visits to sensors at the end of the last step.
-#include "support/batch_worlds.h"
+#include "batch/batch.h"
+#include "support/batch_checks.h"
 #include "support/make_joints.h"
+#include "support/second_device.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #define SENSORS 5
 #define WORLDS  7
@@ -13,6 +19,12 @@
 #define STEPS   60
 #define FEW     4  // balls of both templates
 #define MANY    70 // further balls of the first one
+
+typedef struct
+{
+	const char* device;
+	int worlds, threads, lanes;
+} Place;
 
 typedef struct
 {
@@ -362,6 +374,38 @@ static void crowded_worlds_keep_visits(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// A body that is not finite is frozen in its next step, which the output of its world tells after this step only.
+static void frozen_bodies_are_told(void** state)
+{
+	(void)state;
+	const Place places[] = {{"cpu", 3, 1, 0}, {"cpu", 3, 1, 1}, {second_device, 3, 0, 0}};
+	Rig rig = open_rig(1, 1.0f);
+	for (size_t k = 0; k < sizeof places / sizeof *places; ++k)
+	{
+		if (!places[k].device[0])
+			continue;
+		scree_batch* batch = open_rigs(&rig, 1, places + k);
+		scree_channel c = scree_channel_make(SCREE_OUTPUT_NOT_FINITE);
+		float rows[3] = {9.0f, 9.0f, 9.0f};
+		OK(scree_batch_bind(batch, SCREE_OUTPUTS, &c, 1, rows));
+		OK(scree_batch_step(batch, STEP, SUBSTEPS, 1));
+		assert_true(rows[0] == 0.0f && rows[1] == 0.0f && rows[2] == 0.0f);
+		Backend* b = batch->blocks[0].backend;
+		int body = batch->blocks[0].pipeline.bays.bodies + (int)rig.ball.index;
+		BodyState wrong;
+		OK(b->f->read(b, POOL_body, body, 1, &wrong));
+		wrong.vx = NAN;
+		OK(b->f->write(b, POOL_body, body, 1, &wrong));
+		OK(scree_batch_step(batch, STEP, SUBSTEPS, 1));
+		assert_true(rows[0] == 0.0f && rows[1] == 1.0f && rows[2] == 0.0f);
+		OK(scree_batch_step(batch, STEP, SUBSTEPS, 1));
+		assert_true(rows[0] == 0.0f && rows[1] == 0.0f && rows[2] == 0.0f);
+		scree_batch_destroy(batch);
+	}
+	scree_world_destroy(rig.world);
+	assert_int_equal(scree_memory(), 0);
+}
+
 // A visit to a collidable that is no longer a sensor ends in the next step, so it is refused before it.
 static void bad_sensors_are_refused(void** state)
 {
@@ -410,9 +454,8 @@ static void bad_sensors_are_refused(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(visits_are_those_alone),
-	    cmocka_unit_test(placed_bodies_keep_visits),
-	    cmocka_unit_test(crowded_worlds_keep_visits),
+	    cmocka_unit_test(visits_are_those_alone),     cmocka_unit_test(placed_bodies_keep_visits),
+	    cmocka_unit_test(crowded_worlds_keep_visits), cmocka_unit_test(frozen_bodies_are_told),
 	    cmocka_unit_test(bad_sensors_are_refused),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
