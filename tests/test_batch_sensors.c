@@ -374,8 +374,8 @@ static void crowded_worlds_keep_visits(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// A body that is not finite is frozen in its next step, which the output of its world tells after this step only.
-static void frozen_bodies_are_told(void** state)
+// A body that is not finite is frozen in its next step. The output of its world is 1 after this step only.
+static void frozen_bodies_are_noticed(void** state)
 {
 	(void)state;
 	const Place places[] = {{"cpu", 3, 1, 0}, {"cpu", 3, 1, 1}, {second_device, 3, 0, 0}};
@@ -455,7 +455,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(visits_are_those_alone),     cmocka_unit_test(placed_bodies_keep_visits),
-	    cmocka_unit_test(crowded_worlds_keep_visits), cmocka_unit_test(frozen_bodies_are_told),
+	    cmocka_unit_test(crowded_worlds_keep_visits), cmocka_unit_test(frozen_bodies_are_noticed),
 	    cmocka_unit_test(bad_sensors_are_refused),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
