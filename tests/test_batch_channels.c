@@ -189,7 +189,7 @@ static int outputs_of(const Rig* r, scree_channel* c)
 	c[5].translation = (scree_vec){-8.0f, 0.0f};
 	c[5].rays = RAYS;
 	c[5].spread = 2.0f;
-	c[8].body = r->boxes[1];
+	c[8].collidable = collidable_of(r->world, r->boxes[1]);
 	c[8].other_collidable = collidable_of(r->world, r->boxes[0]);
 	c[9].point = (scree_vec){-4.0f, 9.0f};
 	c[9].translation = (scree_vec){0.1f, -12.0f};

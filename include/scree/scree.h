@@ -2418,8 +2418,9 @@ typedef struct scree_batch_def
 	uint32_t size; // set by scree_batch_def_default
 	int worlds;    // number of worlds, 1 to 16,777,216; default 1
 	// Array of template_count worlds, at least one. They are copied, so the program may change or destroy them. Each has at
-	// most 4,096 bodies, collidables, contacts and joints; there are no fields, sensors, pending targets, or contacts that
-	// need approval. All have the same tuning, but for sleep and its threshold.
+	// most 4,096 bodies, collidables, contacts and joints; there are no fields, pending targets, or contacts that need
+	// approval, and no visits to a collidable that was a sensor, but is none since the last step. All have the same tuning,
+	// but for sleep and its threshold.
 	scree_world** templates;
 	int template_count;
 	const int* template_of; // for each world, the index of its template; null (default): world i has template i modulo
@@ -2507,9 +2508,9 @@ SCREE_API scree_status scree_batch_load(scree_batch* batch, const int32_t* world
                                         size_t state_bytes);
 
 // Creates an ordinary world with the state and the hash of a world of a batch. def: device and threads, as for
-// scree_world_clone; null: a CPU with one thread. Handles of the template are valid in it. It has the gravity of the world. Events of the last step, and
-// contact details, are not part of the state. The caller owns *made and destroys it with scree_world_destroy. On
-// failure *made is null.
+// scree_world_clone; null: a CPU with one thread. Handles of the template are valid in it. It has the gravity of the
+// world. Events of the last step, and contact details, are not part of the state; visits to sensors are, so those that
+// last do not begin again. The caller owns *made and destroys it with scree_world_destroy. On failure *made is null.
 SCREE_API scree_status scree_batch_extract(scree_batch* batch, int world, const scree_world_def* def,
                                            scree_world** made);
 
@@ -2555,6 +2556,12 @@ typedef enum scree_channel_kind // comments: the columns, with the units and ran
 	// for each ray: the fraction of its way at which it meets the first collidable, 1 if it meets none. `translation` is
 	// the way of a single ray, and the middle of the fan, whose rays are distributed evenly over the angle `spread`.
 	SCREE_OUTPUT_RAYS,
+	SCREE_OUTPUT_SENSOR_COUNT, // sensor `collidable`: number of its visits at the end of the last step, as
+	                           // scree_collidable_get_visits lists them
+	// Values of the world: all handles of the channel are null.
+	SCREE_OUTPUT_OVERLAP,    // deepest overlap at the start of the last step, m (scree_batch_counters.penetration)
+	SCREE_OUTPUT_JOINT_GAP,  // widest gap of a joint in the last step, m (scree_batch_counters.joint_gap)
+	SCREE_OUTPUT_NOT_FINITE, // 1 if a body was frozen in the last step, because its state was not finite, else 0
 } scree_channel_kind;
 
 typedef struct scree_channel

@@ -17,6 +17,23 @@ static scree_status write_pool(Block* block, PoolId pool, int first, const Templ
 	return count > 0 ? b->f->write(b, pool, first, count, template_item(from, pool, 0)) : SCREE_OK;
 }
 
+// Writes the sensors and visits of bays. from: template, or null for a bay without items.
+static scree_status fill_visits(Block* block, const Template* from, int bay)
+{
+	Backend* b = block->backend;
+	const Bays* bays = &block->pipeline.bays;
+	int size = visit_size(bays->sensors, bays->collidables);
+	if (size == 0)
+		return SCREE_OK;
+	Word* words = scree_allocate(sizeof *words * (size_t)size);
+	if (!words)
+		return no_memory();
+	visits_put(bays, from ? &from->visits : NULL, from ? from->visits.bits : NULL, words);
+	scree_status status = b->f->write(b, POOL_bay_visit, bay * size, size, words);
+	scree_release(words);
+	return status;
+}
+
 // Writes a template into its spare bay. Its attributes follow those of earlier templates.
 static scree_status fill_spare(Block* block, const Template* from, int bay)
 {
@@ -37,6 +54,7 @@ static scree_status fill_spare(Block* block, const Template* from, int bay)
 				TRY(b->f->write(b, (PoolId)pool, kinds[k].first, used[k], template_item(from, (PoolId)pool, 0)));
 	BayState state = template_state(from);
 	Bay numbers = template_bay(from, (int)(from - block->templates));
+	TRY(fill_visits(block, from, bay));
 	TRY(b->f->write(b, POOL_bay, bay, 1, &numbers));
 	return b->f->write(b, POOL_bay_state, bay, 1, &state);
 }
@@ -47,6 +65,7 @@ static scree_status fill_empty(Block* block)
 	Backend* b = block->backend;
 	Bay none = {.world = -1};
 	BayState state = {.taut = 0};
+	TRY(fill_visits(block, NULL, block->empty));
 	TRY(b->f->write(b, POOL_bay, block->empty, 1, &none));
 	return b->f->write(b, POOL_bay_state, block->empty, 1, &state);
 }

@@ -38,7 +38,8 @@ static int bay_items(const Bays* bays, int kind)
 	const int items[ROW_KINDS] = {[ROW_BODIES] = bays->bodies,
 	                              [ROW_COLLIDABLES] = bays->collidables,
 	                              [ROW_CONTACTS] = 1 << bays->contact_bits,
-	                              [ROW_JOINTS] = 1 << bays->joint_bits};
+	                              [ROW_JOINTS] = 1 << bays->joint_bits,
+	                              [ROW_VISITS] = visit_size(bays->sensors, bays->collidables)};
 	return items[kind];
 }
 
@@ -72,7 +73,8 @@ static void close_staged(Staged* s)
 static scree_status open_staged(Staged* s, Block* block, const RowWork* work)
 {
 	const Bays* bays = &block->pipeline.bays;
-	size_t most = 0, bays_used = (size_t)block->stages;
+	size_t bays_used = (size_t)block->stages;
+	size_t most = sizeof(Word) * (size_t)bay_items(bays, ROW_VISITS);
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		int kind = row_kind((PoolId)pool);
@@ -144,6 +146,45 @@ static void write_items(Staged* s, PoolId pool)
 	}
 }
 
+// Copies the visits to sensors to the rows.
+static scree_status write_visits(Staged* s)
+{
+	const Block* block = s->block;
+	Backend* b = block->backend;
+	const Bays* bays = &block->pipeline.bays;
+	size_t at[POOL_COUNT];
+	int size = bay_items(bays, ROW_VISITS);
+	if (size == 0)
+		return SCREE_OK;
+	TRY(b->f->read(b, POOL_bay_visit, block->stage * size, s->count * size, s->items));
+	for (int n = 0; n < s->count; ++n)
+	{
+		row_layout(s->heads[n].count, at);
+		visits_take(bays, &s->templates[n]->visits, (const Word*)(const void*)s->items + (size_t)n * (size_t)size,
+		            (Word*)(void*)(s->rows[n] + at[POOL_bay_visit]));
+	}
+	return SCREE_OK;
+}
+
+// Copies the visits from the rows to the spare bays.
+static scree_status read_visits(Staged* s)
+{
+	const Block* block = s->block;
+	Backend* b = block->backend;
+	const Bays* bays = &block->pipeline.bays;
+	size_t at[POOL_COUNT];
+	int size = bay_items(bays, ROW_VISITS);
+	if (size == 0)
+		return SCREE_OK;
+	for (int n = 0; n < s->count; ++n)
+	{
+		row_layout(s->heads[n].count, at);
+		visits_put(bays, &s->templates[n]->visits, (const Word*)(const void*)(s->rows[n] + at[POOL_bay_visit]),
+		           (Word*)(void*)s->items + (size_t)n * (size_t)size);
+	}
+	return b->f->write(b, POOL_bay_visit, block->stage * size, s->count * size, s->items);
+}
+
 // Copies the worlds of `count` copies to the spare bays, then to their rows.
 static scree_status save_some(Staged* s, const int* copies, int count)
 {
@@ -173,6 +214,7 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 		TRY(read_staged(s, (PoolId)pool, s->items));
 		write_items(s, (PoolId)pool);
 	}
+	TRY(write_visits(s));
 	for (int n = 0; n < count; ++n)
 		row_seal(s->rows[n], s->heads + n);
 	return SCREE_OK;
@@ -303,6 +345,7 @@ static scree_status load_some(Staged* s)
 	}
 	for (int k = 0; k < s->copies; ++k)
 		note_pending(block, s->heads + (block->copies[k].x - block->stage), block->rows[k]);
+	TRY(read_visits(s));
 	TRY(write_values(s));
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, s->copies));
 	TRY(wake(s));

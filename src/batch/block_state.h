@@ -43,6 +43,7 @@ typedef struct
 	float* converted;         // room for rows of a list that are converted or gathered
 	const scree_vec* gravity; // m/s^2, for each world of the batch; null: that of the templates
 	BayGravity* gravity_rows; // room for one row per world, once worlds have had different gravity
+	bool visits_due;          // true: the worlds have made a step since visits to their sensors were found
 	bool gravity_changed;     // true: the gravity of some world may have changed since the last step
 	float gravity_dt;         // s: length of the step for which the rows were computed
 	int gravity_substeps;     // and its number of substeps

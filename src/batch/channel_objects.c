@@ -12,6 +12,7 @@ enum
 	OF_BODY,
 	OF_COLLIDABLE,
 	OF_JOINT,
+	OF_WORLD,
 };
 
 typedef struct
@@ -45,6 +46,25 @@ static scree_status refuse_channel(ChannelPlace at, const char* text)
 	return fail(SCREE_ERROR_INVALID, "%s: channels[%d] %s (template %d)", at.function, at.channel, text, at.number);
 }
 
+// Fails if a channel of a value of the world names an object.
+static scree_status check_no_object(ArgumentPlace place, const scree_channel* c)
+{
+	const struct
+	{
+		const char* member;
+		uint32_t index;
+	} objects[] = {{".body", c->body.index},
+	               {".other", c->other.index},
+	               {".collidable", c->collidable.index},
+	               {".other_collidable", c->other_collidable.index},
+	               {".joint", c->joint.index}};
+	for (size_t k = 0; k < sizeof objects / sizeof *objects; ++k)
+		if (objects[k].index != 0)
+			return refuse(SCREE_ERROR_INVALID, place, objects[k].member,
+			              "(index %u) must be null, because the channel is a value of the world", objects[k].index);
+	return SCREE_OK;
+}
+
 scree_status channel_check(ChannelPlace at, const scree_channel* c, bool inputs)
 {
 	ArgumentPlace place = {at.function, "channels", at.channel};
@@ -54,6 +74,8 @@ scree_status channel_check(ChannelPlace at, const scree_channel* c, bool inputs)
 		return refuse(SCREE_ERROR_INVALID, place, ".kind", inputs ? "is an output" : "is an input");
 	if (kinds[c->kind].of == OF_JOINT && c->kind != SCREE_OUTPUT_JOINT_FORCE && (int)c->which > SCREE_ANGLE)
 		return refuse(SCREE_ERROR_INVALID, place, ".which", "is %d, not a coordinate", (int)c->which);
+	if (kinds[c->kind].of == OF_WORLD)
+		TRY(check_no_object(place, c));
 	TRY(check_vec(place, ".point", c->point, SCREE_MAX_COORDINATE));
 	if (c->kind != SCREE_OUTPUT_RAYS)
 		return SCREE_OK;
@@ -135,6 +157,17 @@ static scree_status find_touch(Channel* made, ChannelPlace at, const scree_chann
 	return SCREE_OK;
 }
 
+static scree_status find_sensor(Channel* made, ChannelPlace at, const scree_channel* c, const scree_world* world)
+{
+	if (!collidable_is_valid(world, c->collidable))
+		return SCREE_OK;
+	made->item = (int)c->collidable.index - 1;
+	if (!world->host_collidables[made->item].sensor)
+		return refuse_channel(at, "counts the visitors of a collidable that is no sensor");
+	made->kind = (int)c->kind;
+	return SCREE_OK;
+}
+
 // Sets the range of the target of a joint: on an open path, a lock holds the joint within the length of the path.
 static void bound_target(Channel* made, const scree_world* world, const HostJoint* host,
                          const scree_joint_coordinate* coordinate)
@@ -175,6 +208,10 @@ scree_status channel_find(Channel* made, ChannelPlace at, const scree_channel* c
 	*made = (Channel){.kind = CHANNEL_KINDS, .other = -1};
 	if (kinds[c->kind].of == OF_JOINT)
 		TRY(find_joint(made, at, c, world));
+	else if (c->kind == SCREE_OUTPUT_SENSOR_COUNT)
+		TRY(find_sensor(made, at, c, world));
+	else if (kinds[c->kind].of == OF_WORLD)
+		made->kind = (int)c->kind;
 	else if (kinds[c->kind].of == OF_COLLIDABLE)
 		TRY(find_touch(made, at, c, world));
 	else
@@ -211,8 +248,10 @@ static int column_power(const scree_channel* c, int k, const scree_world* world)
 	case SCREE_OUTPUT_TOUCH:
 		return k == 2 ? 1 : 0;
 	case SCREE_OUTPUT_RAYS:
+	case SCREE_OUTPUT_SENSOR_COUNT:
+	case SCREE_OUTPUT_NOT_FINITE:
 		return 0;
-	default: // poses and velocities
+	default: // poses, velocities and lengths
 		return k < 2 ? 1 : 0;
 	}
 }

@@ -39,6 +39,7 @@ scree_status row_of_world(const Template* read, const char* function, char** row
 		if (kind == ROW_CONTACTS)
 			row_tidy((PoolId)pool, items, read->image.pair, head.count[kind]);
 	}
+	memcpy(*row + at[POOL_bay_visit], read->visits.bits, sizeof(Word) * (size_t)visits_of(&read->visits));
 	row_seal(*row, &head);
 	return SCREE_OK;
 }
@@ -183,7 +184,8 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 	set_duties(p, head);
 	take_host(world, head, row);
 	Counters counters; // this read also stores the counters in the backend, and reports failed writes
-	return b->f->read(b, POOL_counters, 0, 1, &counters);
+	TRY(b->f->read(b, POOL_counters, 0, 1, &counters));
+	return visits_give(world, &from->visits, row + at[POOL_bay_visit]);
 }
 
 scree_status world_take_row(scree_world* world, const Template* from, const char* row)

@@ -57,8 +57,8 @@ static scree_status check_template(const scree_world* world, const char* functio
 		            subject_of(number).text);
 	if (world->fields.slots.alive > 0)
 		return refuse_template(function, number, "fields");
-	if (world->sensors.alive > 0 || world->sensors.visit_count > 0) // visits to a destroyed sensor end in the next step
-		return refuse_template(function, number, "sensors");
+	if (!visits_are_plain(world)) // they end in the next step
+		return refuse_template(function, number, "visits to a collidable that is no longer a sensor");
 	if (p->asks)
 		return refuse_template(function, number, "contacts that need approval");
 	if (world->target_count > 0)
@@ -160,7 +160,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	TRY(world_note(world, world->backend->f->read(world->backend, POOL_counters, 0, 1, c)));
 	made->contacts = c->contacts;
 	made->joints = c->joints;
-	made->hidden = world_hidden_hash(world);
+	made->hidden = world_hidden_hash(world) - world_visits_hash(world);
 	read_settings(world, made);
 	size_t kinematics = (size_t)world->kinematic_count;
 	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));
@@ -168,6 +168,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a template", function);
 	if (kinematics > 0)
 		memcpy(made->kinematics, world->kinematics, sizeof(int) * kinematics);
+	TRY(visits_read(world, function, &made->visits));
 	TRY(read_pools(world, function, made));
 	leave_places(made);
 	return chains_find(world, &made->chains, &made->chain_memory);
@@ -225,5 +226,6 @@ void template_close(Template* made)
 	scree_world_destroy(made->world);
 	scree_release(made->chain_memory);
 	scree_release(made->kinematics);
+	visits_close(&made->visits);
 	*made = (Template){.bodies = 0};
 }

@@ -66,6 +66,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		sizes.collidables = larger(sizes.collidables, from->collidables);
 		sizes.contacts = larger(sizes.contacts, from->contacts);
 		sizes.joints = larger(sizes.joints, from->joints);
+		sizes.sensors = larger(sizes.sensors, from->visits.count);
 	}
 	Pipeline* p = &block->pipeline;
 	TRY(pipeline_open(p, backend, 0, 0));
@@ -136,11 +137,21 @@ scree_status block_pause(Block* block, const uint8_t* mask)
 	return block_arrange(block);
 }
 
+// Finds the visits to sensors at the end of the last step, if they were not found yet.
+static scree_status find_visits(Block* block)
+{
+	if (!block->visits_due)
+		return SCREE_OK;
+	block->visits_due = false;
+	return bays_visit(&block->pipeline);
+}
+
 // Pauses the worlds whose contacts were too many for a step, which was abandoned.
 static scree_status pause_crowded(Block* block)
 {
 	Backend* b = block->backend;
 	int live = block->pipeline.live_bays, found = 0;
+	TRY(find_visits(block));
 	BayState* states = scree_allocate(sizeof *states * (size_t)live);
 	if (!states)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to find the crowded ones of %d worlds", live);
@@ -168,6 +179,7 @@ static scree_status step_once(Block* block, bool first)
 	{
 		block_aim(block, first);
 		scree_status status = pipeline_step(p, &block->request);
+		block->visits_due |= status == SCREE_OK;
 		if (status == SCREE_OK || !p->crowded)
 			return status;
 		p->counters.presses = presses; // an abandoned step has not counted them
@@ -196,6 +208,7 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 			TRY(block_apply_again(block));
 		TRY(step_once(block, k == 0));
 	}
+	TRY(find_visits(block));
 	return block_write_outputs(block);
 }
 

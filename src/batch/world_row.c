@@ -17,7 +17,7 @@
 
 int row_kind(PoolId pool)
 {
-	static const Per pers[ROW_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT, PER_JOINT};
+	static const Per pers[] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT, PER_JOINT};
 	switch (pool)
 	{
 	case POOL_contact_place: // the constraints of a row have no places
@@ -35,7 +35,7 @@ int row_kind(PoolId pool)
 	default:
 		break;
 	}
-	for (int kind = 0; kind < ROW_KINDS && pool_info[pool].role <= STANDING; ++kind)
+	for (int kind = 0; kind < ROW_VISITS && pool_info[pool].role <= STANDING; ++kind)
 		if (pool_info[pool].per == pers[kind])
 			return kind;
 	return -1;
@@ -70,6 +70,7 @@ void row_count(const Template* from, int contacts, int count[ROW_KINDS])
 	count[ROW_COLLIDABLES] = from->collidables;
 	count[ROW_CONTACTS] = contacts;
 	count[ROW_JOINTS] = from->joints;
+	count[ROW_VISITS] = visits_of(&from->visits);
 }
 
 static size_t aligned(size_t bytes) { return (bytes + ROW_ALIGN - 1) / ROW_ALIGN * ROW_ALIGN; }
@@ -79,7 +80,7 @@ size_t row_layout(const int count[ROW_KINDS], size_t at[POOL_COUNT])
 	size_t end = sizeof(RowHead);
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
-		int kind = row_kind((PoolId)pool);
+		int kind = pool == POOL_bay_visit ? ROW_VISITS : row_kind((PoolId)pool);
 		if (at)
 			at[pool] = end;
 		if (kind >= 0)
@@ -123,13 +124,15 @@ scree_status row_open(const char* row, size_t bytes, uint64_t version, const cha
 	if (head->version != version)
 		return fail(SCREE_ERROR_INVALID, "%s: state %d comes from another version of the library", function, number);
 	for (int kind = 0; kind < ROW_KINDS; ++kind)
-		if (head->count[kind] < 0 || head->count[kind] > MOST_BAY_ITEMS)
+		if (head->count[kind] < 0 ||
+		    head->count[kind] > (kind == ROW_VISITS ? MOST_BAY_ITEMS * visit_words(MOST_BAY_ITEMS) : MOST_BAY_ITEMS))
 			return fail(SCREE_ERROR_INVALID, "%s: state %d is damaged: it has %d %s", function, number,
 			            head->count[kind],
 			            kind == ROW_BODIES        ? "bodies"
 			            : kind == ROW_COLLIDABLES ? "collidables"
 			            : kind == ROW_CONTACTS    ? "contacts"
-			                                      : "joints");
+			            : kind == ROW_JOINTS      ? "joints"
+			                                      : "words of visits");
 	if (head->bytes != row_layout(head->count, NULL))
 		return fail(SCREE_ERROR_INVALID, "%s: state %d is damaged: its head says %llu bytes, but its items need %zu",
 		            function, number, (unsigned long long)head->bytes, row_layout(head->count, NULL));

@@ -15,6 +15,7 @@ enum // kinds of items of a row
 	ROW_COLLIDABLES,
 	ROW_CONTACTS,
 	ROW_JOINTS,
+	ROW_VISITS, // words of the bits of visits, as in VisitBits
 	ROW_KINDS
 };
 
@@ -29,14 +30,15 @@ typedef struct // 160 bytes: the head of a row
 	float dt;             // s: the last step with dt above 0; 0 if there was none
 	int surfaces_changed; // 1 if surfaces of contacts may have to be computed again
 	BayState state;
-	scree_vec gravity; // m/s^2
-	uint64_t reserved; // 0
+	scree_vec gravity;    // m/s^2
+	int unused;           // 0
 } RowHead;
 
 #define ROW_MAGIC 0x776f726565726373u // "screerow"
 
 // Returns the kind of the items of a pool of a row, -1 for a pool that rows do not contain: positions in lists and
-// layouts, values that are zero between steps, and what the user has read.
+// layouts, values that are zero between steps, and what the user has read. The pool bay_visit has words of its own, in
+// another order.
 int row_kind(PoolId pool);
 
 // Returns the version of rows, which depends on the pools and the types of their items.

@@ -93,6 +93,14 @@ INLINE GLOBAL BayState* bay_of_joint(const Pools* p, int slot)
 // Returns whether this step searches the islands of the world of a body, if it searches any.
 INLINE int bay_searches(const Pools* p, int body) { return !BATCHED(p) || bay_state_of(p, body)->searches; }
 
+// Return the number of words of the bits of a sensor, one bit for each collidable of a bay; and of a bay in the pool
+// bay_visit, where the bits of all sensors follow their list.
+INLINE int visit_words(int collidables) { return (collidables + 31) / 32; }
+INLINE int visit_size(int sensors, int collidables) { return sensors * (1 + visit_words(collidables)); }
+
+// Entry of the list of sensors of a bay, for no sensor.
+#define VISIT_NONE 0xffffffffu
+
 // Bits of the argument of bay_count: worlds may have joints; joints got other spots; excluded pairs changed.
 #define BAY_COUNT_JOINTS   1
 #define BAY_COUNT_SPOTS    2

@@ -47,6 +47,7 @@ typedef enum // kind of the items of a pool
 	PER_HASH,
 	PER_SAVED, // 16 bytes of a save
 	PER_BAY,   // bay of a world of a batch
+	PER_VISIT, // word of the list of visits to the sensors of a world of a batch
 	PER_CHANNEL,
 	PER_COLUMN, // float of a row of the inputs or outputs of a world of a batch
 	PER_ONE,

@@ -70,7 +70,8 @@ typedef struct // bays of the worlds of a batch (bays.h); zeros outside of a bat
 	int worlds;                       // number of worlds; the first bays are for them, and spare bays follow
 	int bodies, collidables;          // numbers of items of a bay
 	short contact_bits, joint_bits;   // binary logarithms of these numbers for contacts and joints
-	int varied;                       // 1 if worlds have different gravity: BayGravity replaces values of Step
+	short varied;                     // 1 if worlds have different gravity: BayGravity replaces values of Step
+	short sensors;                    // number of sensors for which each bay has words in the pool bay_visit
 	float body_part, collidable_part; // 1 divided by the number of items of a bay
 } Bays;
 

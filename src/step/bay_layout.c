@@ -72,6 +72,7 @@ static scree_status reserve_bays(Pipeline* pipeline, int spares)
 	TRY(reserve(pipeline, PER_CONTACT, contacts_end(pipeline, spares)));
 	TRY(reserve(pipeline, PER_JOINT, bays_end(bays->worlds, spares, 1 << bays->joint_bits)));
 	TRY(pipeline_reserve(pipeline, PER_BAY, bays->worlds + spares));
+	TRY(reserve(pipeline, PER_VISIT, ((int64_t)bays->worlds + spares) * visit_size(bays->sensors, bays->collidables)));
 	TRY(bays_run(pipeline, KERNEL_bay_clear_contact, contacts, b->capacity[PER_CONTACT], 0));
 	TRY(bays_run(pipeline, KERNEL_bay_clear_joint, joints, b->capacity[PER_JOINT], 0));
 	pipeline->spare_bays = spares;
@@ -93,6 +94,7 @@ scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
 	Bays bays = {.worlds = sizes->worlds, .bodies = sizes->bodies, .collidables = sizes->collidables};
 	bays.contact_bits = (short)bits_of(sizes->contacts);
 	bays.joint_bits = (short)bits_of(sizes->joints);
+	bays.sensors = (short)sizes->sensors;
 	bays.body_part = 1.0f / (float)bays.bodies;
 	bays.collidable_part = 1.0f / (float)bays.collidables;
 	int64_t all = (int64_t)sizes->worlds + sizes->spares;
@@ -172,6 +174,8 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	TRY(bays_run(pipeline, KERNEL_bay_copy_contact, 0, count << bays->contact_bits, 0));
 	if (pipeline->bay_joints)
 		TRY(bays_run(pipeline, KERNEL_bay_copy_joint, 0, count << bays->joint_bits, 0));
+	if (bays->sensors > 0)
+		TRY(bays_run(pipeline, KERNEL_bay_copy_visit, 0, count * visit_size(bays->sensors, bays->collidables), 0));
 	if (live == 0) // no step visits the copies
 		return SCREE_OK;
 	pipeline->split = false;
@@ -236,6 +240,13 @@ scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes)
 	Backend* b = pipeline->backend;
 	TRY(bays_run(pipeline, KERNEL_bay_hash, 0, pipeline->bays.worlds, 0));
 	return b->f->read(b, POOL_bay_hash, 0, pipeline->bays.worlds, hashes);
+}
+
+scree_status bays_visit(Pipeline* pipeline)
+{
+	const Bays* bays = &pipeline->bays;
+	int words = bays->sensors * visit_words(bays->collidables);
+	return words > 0 ? bays_run(pipeline, KERNEL_bay_visit, 0, pipeline->live_bays * words, 0) : SCREE_OK;
 }
 
 scree_status bays_counters(Pipeline* pipeline, BayCounters* counters)

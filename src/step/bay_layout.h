@@ -10,6 +10,7 @@ typedef struct // numbers of bays, and of the items of each
 {
 	int worlds, spares; // bays for worlds, all of them live at first; bays that are never stepped, numbered after them
 	int bodies, collidables, contacts, joints;
+	int sensors;       // maximum number of sensors of a world
 	int contact_limit; // maximum number of contacts of a world, 0 for the default
 } BaySizes;
 
@@ -39,6 +40,9 @@ scree_status bays_run(Pipeline* pipeline, int kernel, int begin, int end, int ar
 
 // Computes the hash of each world, by row, without the data that only the host has.
 scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes);
+
+// Finds the visits to sensors of the live bays at the end of the last step.
+scree_status bays_visit(Pipeline* pipeline);
 
 // Computes the counters of each world, by row.
 scree_status bays_counters(Pipeline* pipeline, BayCounters* counters);

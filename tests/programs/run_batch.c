@@ -12,6 +12,7 @@
 #define PAUSE   1  // first step without the last copy
 #define RESUME  4  // first step with it again
 #define ROW_AGE 1  // age at which a world is saved
+#define SEEN    8  // maximum number of sensors whose visitors are counted
 
 // Takes a step of a clone of a world that does not sleep: sleep may have been turned off since the last step.
 static scree_status end_sleep(scree_world* world)
@@ -28,6 +29,9 @@ typedef struct // the batch of a world, and what leaves it
 	char* row;          // state of a world at the age ROW_AGE; null before
 	scree_world* taken; // a world that was taken out; null before
 	int taken_age;
+	scree_collidable sensors[SEEN];
+	int sensor_count;
+	float* counts; // outputs: the visits to each of these sensors
 } Copies;
 
 // Gives a copy, and the clone that is compared with it, another gravity.
@@ -82,6 +86,43 @@ static bool hashes_agree(Copies* c, const uint64_t* expected, const uint64_t* pu
 	return !c->taken || scree_world_get_hash(c->taken, &hash) != SCREE_OK || hash == expected[c->taken_age];
 }
 
+// Binds the visits to sensors as outputs. Returns false if a call fails.
+static bool count_visits(scree_world* world, Copies* c)
+{
+	scree_collidable_state states[256];
+	scree_channel channels[SEEN];
+	int count;
+	if (scree_world_get_collidable_states(world, NULL, states, 256, &count) != SCREE_OK)
+		return false;
+	for (int k = 0; k < count && k < 256 && c->sensor_count < SEEN; ++k)
+	{
+		if (!states[k].sensor)
+			continue;
+		channels[c->sensor_count] = scree_channel_make(SCREE_OUTPUT_SENSOR_COUNT);
+		c->sensors[c->sensor_count] = channels[c->sensor_count].collidable = states[k].collidable;
+		++c->sensor_count;
+	}
+	if (c->sensor_count == 0)
+		return true;
+	bool bound = scree_batch_bind(c->batch, SCREE_OUTPUTS, channels, c->sensor_count, NULL) == SCREE_OK;
+	c->counts = scree_batch_get_rows(c->batch, SCREE_OUTPUTS);
+	return bound;
+}
+
+// Returns whether world 0, which has the age of the clone, counts the visits that the clone lists.
+static bool visits_agree(const Copies* c, scree_world* alone)
+{
+	for (int k = 0; k < c->sensor_count; ++k)
+	{
+		int visits;
+		if (scree_collidable_get_visits(alone, c->sensors[k], NULL, 0, &visits) != SCREE_OK)
+			return false;
+		if (c->counts[k] != (float)visits)
+			return false;
+	}
+	return true;
+}
+
 // Steps clones and their copies in a batch. Returns whether their hashes are equal. If one of them fails, ends without a
 // difference: the limits of contacts differ. pulled: clone of the copy that gets another gravity. Before its first step,
 // joints of destroyed bodies may still be in its hash.
@@ -89,6 +130,8 @@ static bool steps_alike(scree_world* alone, scree_world* pulled, Copies* c)
 {
 	static const uint8_t mask[COPIES] = {0, 1, 0, 0}, pause[COPIES] = {0, 0, 1, 0};
 	uint64_t expected[AGES], last;
+	if (!count_visits(alone, c))
+		return false;
 	for (int step = 0; step < AGES; ++step)
 	{
 		const uint64_t* other = step > 0 ? &last : NULL;
@@ -112,6 +155,8 @@ static bool steps_alike(scree_world* alone, scree_world* pulled, Copies* c)
 		for (int k = 0; k < COPIES; ++k)
 			c->ages[k] += !pause[k] || step < PAUSE || step >= RESUME;
 		++c->taken_age;
+		if (c->ages[0] == step + 1 && !visits_agree(c, alone))
+			return false;
 	}
 	return true;
 }

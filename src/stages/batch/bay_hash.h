@@ -3,6 +3,7 @@
 #ifndef BAY_HASH_H
 #define BAY_HASH_H
 #include "stages/batch/bay_copy.h"
+#include "stages/batch/bay_visit.h"
 #include "stages/read/hash.h"
 
 // Item: a world, by row. The terms are those of hash.h, with indices within the world. The constraints of a spare bay have
@@ -38,7 +39,7 @@ KERNEL(bay_hash)
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
-	p->bay_hash[i] = sum;
+	p->bay_hash[i] = sum + visit_hash(p, at);
 }
 
 // Item: a world, by row.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// channel_output.h -- writes rows of outputs of the worlds of a batch: poses, velocities, touches, joints, rays.
+// channel_output.h -- writes rows of outputs of the worlds of a batch: poses, velocities, touches, joints, rays, visits.
 #ifndef CHANNEL_OUTPUT_H
 #define CHANNEL_OUTPUT_H
+#include "stages/batch/bay_visit.h"
 #include "stages/batch/channel_input.h"
 #include "stages/read/contact_report.h"
 #include "stages/read/joint_report.h"
@@ -72,7 +73,17 @@ INLINE void channel_touch(const Pools* p, const GLOBAL Channel* c, int bay, GLOB
 	to[2] = flush_tiny(sum);
 }
 
-// Item: a group of outputs of bodies and collidables in a live bay. argument: as in channel_group. With CHANNEL_BEGINS,
+// Writes a value of a world.
+INLINE void channel_world(const Pools* p, int kind, int bay, GLOBAL float* to)
+{
+	BayState state = p->bay_state[bay];
+	if (kind == CHANNEL_GET_NOT_FINITE)
+		to[0] = state.nonfinite > 0 ? 1.0f : 0.0f;
+	else
+		to[0] = bits_float(kind == CHANNEL_GET_OVERLAP ? state.penetration : state.joint_gap);
+}
+
+// Item: a group of outputs of bodies, collidables and the world in a live bay. argument: as in channel_group. With CHANNEL_BEGINS,
 // writes touches only: those before the first step, or after a reset.
 KERNEL(channel_body)
 {
@@ -97,6 +108,14 @@ KERNEL(channel_body)
 			break;
 		case CHANNEL_GET_TOUCH:
 			channel_touch(p, c, at.bay, to);
+			break;
+		case CHANNEL_GET_SENSOR_COUNT:
+			to[0] = (float)visit_count(p, at.bay, c->item);
+			break;
+		case CHANNEL_GET_OVERLAP:
+		case CHANNEL_GET_JOINT_GAP:
+		case CHANNEL_GET_NOT_FINITE:
+			channel_world(p, c->kind, at.bay, to);
 			break;
 		}
 	}

@@ -33,6 +33,15 @@ static Word64 hash_own_mass(int body, scree_mass mass)
 	                   make_float4(mass.mass, mass.inertia, mass.center.x, mass.center.y));
 }
 
+uint64_t world_visits_hash(const scree_world* world)
+{
+	Word64 sum = 0;
+	for (int k = 0; k < world->sensors.visit_count; ++k)
+		sum += hash_mix(
+		    hash_int(hash_begin(HASH_VISIT, world->sensors.visits[k].sensor), world->sensors.visits[k].visitor));
+	return sum;
+}
+
 uint64_t world_hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;
@@ -47,8 +56,6 @@ uint64_t world_hidden_hash(const scree_world* world)
 	for (int k = 0; k < world->paths.used; ++k)
 		if (slots_in_use(&world->paths, k))
 			sum += hash_mix(hash_begin(HASH_PATH, k) + world->host_paths[k].name);
-	for (int k = 0; k < world->sensors.visit_count; ++k)
-		sum += hash_mix(
-		    hash_int(hash_begin(HASH_VISIT, world->sensors.visits[k].sensor), world->sensors.visits[k].visitor));
-	return sum + materials_hash(world) + exclusions_hash(world) + allowed_hash(world) + fields_hash(world);
+	return sum + world_visits_hash(world) + materials_hash(world) + exclusions_hash(world) + allowed_hash(world) +
+	       fields_hash(world);
 }

@@ -6,4 +6,7 @@
 
 uint64_t world_hidden_hash(const scree_world* world);
 
+// Returns the part of world_hidden_hash that the visits to sensors at the end of the last step add.
+uint64_t world_visits_hash(const scree_world* world);
+
 #endif

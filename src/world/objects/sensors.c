@@ -8,6 +8,7 @@
 #include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/handles.h"
+#include "world/objects/reports.h"
 #include <stdlib.h>
 
 void sensors_note(scree_world* world, uint32_t before, uint32_t after)
@@ -152,6 +153,30 @@ scree_status sensors_update(scree_world* world, const char* function)
 	TRY(GROW(function, s->ended, s->ended_capacity, 2 * most));
 	TRY(GROW(function, s->next, s->next_capacity, most));
 	compare_visits(world, s->found, count);
+	return SCREE_OK;
+}
+
+scree_status sensors_set(scree_world* world, const char* function, const Visit* visits, int count)
+{
+	Sensors* s = &world->sensors;
+	int found = 0;
+	sensors_forget(world);
+	s->visit_count = 0;
+	if (count == 0)
+		return SCREE_OK;
+	TRY(reports_reserve(world, function)); // visits have names of reports
+	TRY(GROW(function, s->visits, s->visit_capacity, count));
+	TRY(ask(world, function, &found));
+	for (int k = 0, n = 0; k < count; ++k)
+	{
+		Visit* visit = s->visits + k;
+		*visit = (Visit){.sensor = visits[k].sensor, .visitor = visits[k].visitor, .left = 1.0f, .lasts = true};
+		while (n < found && order(s->found + n, visit) < 0)
+			++n;
+		if (n < found && order(s->found + n, visit) == 0)
+			*visit = s->found[n];
+	}
+	s->visit_count = count;
 	return SCREE_OK;
 }
 

@@ -15,6 +15,11 @@ scree_status sensors_update(scree_world* world, const char* function);
 
 // Returns the number of visits to a sensor at the end of the last step. *first: set to the first one in Sensors.visits.
 int sensors_visits(const scree_world* world, int sensor, int* first);
+
+// Replaces the visits at the end of the last step. visits: sorted by sensor, then by visitor; their times are found
+// again, from the poses at the start and the end of the last step. The user's changes must be uploaded.
+scree_status sensors_set(scree_world* world, const char* function, const Visit* visits, int count);
+
 void sensors_close(scree_world* world);
 
 #endif
