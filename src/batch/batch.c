@@ -73,7 +73,7 @@ static scree_status read_templates(scree_batch* batch, const scree_batch_def* de
 	batch->templates = scree_allocate(sizeof *batch->templates * (size_t)def->template_count);
 	if (!batch->templates)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for templates", function);
-	int attributes = 0, samples = 0, tables = 0;
+	int attributes = 0, samples = 0, fields = 0, tables = 0;
 	for (int t = 0; t < def->template_count; ++t)
 	{
 		Template* made = batch->templates + t;
@@ -88,15 +88,17 @@ static scree_status read_templates(scree_batch* batch, const scree_batch_def* de
 			            function, t, contacts, def->contact_limit);
 		bool pairs = made->count[POOL_material_pair] > 0;
 		if (made->attributes > MAX_ITEMS - attributes || made->count[POOL_path_sample] > MAX_ITEMS - samples ||
-		    tables == MOST_TABLES)
-			return fail(SCREE_ERROR_OUT_OF_MEMORY,
-			            "%s: templates 0 to %d have more than %d attributes or path samples, or %d tables of pairs of "
-			            "materials",
-			            function, t, MAX_ITEMS, MOST_TABLES);
+		    made->count[POOL_field] > MAX_ITEMS - fields || tables == MOST_TABLES)
+			return fail(
+			    SCREE_ERROR_OUT_OF_MEMORY,
+			    "%s: templates 0 to %d have more than %d attributes, path samples or fields, or %d tables of pairs "
+			    "of materials",
+			    function, t, MAX_ITEMS, MOST_TABLES);
 		tables += pairs;
-		template_shift(made, attributes, samples, pairs ? tables : 0);
+		template_shift(made, attributes, samples, fields, pairs ? tables : 0);
 		attributes += made->attributes;
 		samples += made->count[POOL_path_sample];
+		fields += made->count[POOL_field];
 	}
 	return SCREE_OK;
 }

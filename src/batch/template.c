@@ -7,7 +7,6 @@
 #include "world/chain/chains.h"
 #include "world/device/lasting.h"
 #include "world/failure.h"
-#include "world/objects/fields.h"
 #include "world/objects/hidden_hash.h"
 #include "world/tuning_members.h"
 #include "world/upload/upload.h"
@@ -53,8 +52,6 @@ static scree_status check_template(const scree_world* world, const char* functio
 	const Pipeline* p = &world->pipeline;
 	if (world->def.sleep || p->sleeps)
 		return refuse_template(function, number, "bodies that may sleep");
-	if (world->fields.slots.alive > 0)
-		return refuse_template(function, number, "fields");
 	if (world->sensors.alive > 0 || world->sensors.visit_count > 0) // visits to a destroyed sensor end in the next step
 		return refuse_template(function, number, "sensors");
 	if (p->asks)
@@ -107,6 +104,19 @@ static scree_status read_pools(scree_world* world, const char* function, Templat
 			TRY(world_note(world, world->backend->f->read(world->backend, (PoolId)pool, 0, count, memory)));
 	}
 	return SCREE_OK;
+}
+
+// Reads the active fields, which the last upload has written.
+static scree_status read_fields(scree_world* world, const char* function, Template* made)
+{
+	int count = world->fields.acting;
+	if (count == 0)
+		return SCREE_OK;
+	made->image.field = scree_allocate(sizeof(Field) * (size_t)count);
+	if (!made->image.field)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d fields of a template", function, count);
+	made->count[POOL_field] = count;
+	return world_note(world, world->backend->f->read(world->backend, POOL_field, 0, count, made->image.field));
 }
 
 // Moves the kept values of constraints from their rows to their slots. A joint that was destroyed since the last step
@@ -165,6 +175,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	if (kinematics > 0)
 		memcpy(made->kinematics, world->kinematics, sizeof(int) * kinematics);
 	TRY(read_pools(world, function, made));
+	TRY(read_fields(world, function, made));
 	leave_places(made);
 	return chains_find(world, &made->chains, &made->chain_memory);
 }
@@ -192,13 +203,16 @@ Bay template_bay(const Template* from, int number)
 	             .world = -1,
 	             .number = number,
 	             .path_sample = from->first_sample,
-	             .joints = from->joints};
+	             .joints = from->joints,
+	             .field = from->first_field,
+	             .fields = from->count[POOL_field]};
 }
 
-void template_shift(Template* made, int first, int sample, int table)
+void template_shift(Template* made, int first, int sample, int field, int table)
 {
 	made->first_attribute = first;
 	made->first_sample = sample;
+	made->first_field = field;
 	made->material_table = table;
 	for (int k = 0; k < made->attributes; ++k)
 		made->image.rule[k].material += table * MATERIALS;

@@ -74,7 +74,7 @@ typedef struct // bays of the worlds of a batch (bays.h); zeros outside of a bat
 	float body_part, collidable_part; // 1 divided by the number of items of a bay
 } Bays;
 
-typedef struct // 32 bytes: numbers of items of a world of a batch
+typedef struct // 36 bytes: numbers of items of a world of a batch
 {
 	int bodies, collidables; // slots in use, up to the last one
 	int attribute;           // first attribute of its template
@@ -82,7 +82,7 @@ typedef struct // 32 bytes: numbers of items of a world of a batch
 	int number;              // number of its template
 	int path_sample;         // first sample of the paths of its template
 	int joints;              // joint slots in use
-	int unused;
+	int field, fields;       // first field of its template in the pool field, and their number
 } Bay;
 
 typedef struct // 56 bytes: values of a world of a batch that the counters have in a world alone, or the step
