@@ -5,6 +5,7 @@
 // is in a spare bay. A bay that a paused world left gets a world that runs again, or the one from the last live bay.
 #include "batch/block_places.h"
 #include "batch/block_pools.h"
+#include "batch/block_targets.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
 #include <string.h>
@@ -130,6 +131,7 @@ scree_status block_restore(Block* block, const uint8_t* mask, int* count)
 		if (number != last)
 			add_pending(block, row, true);
 		last = number;
+		block_targets_begin(block, row);
 		block_add_copy(block, count, block->spare_of[number], block->bay_of[row], row);
 	}
 	return copy(block, *count);
@@ -153,6 +155,8 @@ static scree_status enter(Block* block, int live)
 		}
 		if (resets || !ran)
 			add_pending(block, row, resets);
+		if (resets)
+			block_targets_begin(block, row);
 		if (!ran)
 			block->unused[block->unused_count++] = from;
 		else if (to != from)

@@ -5,6 +5,7 @@
 #include "batch/block_rows.h"
 #include "batch/block_channels.h"
 #include "batch/block_places.h"
+#include "batch/block_targets.h"
 #include "batch/world_row.h"
 #include "pools/bays.h"
 #include "step/bay_layout.h"
@@ -113,13 +114,16 @@ static void write_head(Staged* s, int n, int world)
 	const Block* block = s->block;
 	const Pipeline* p = &block->pipeline;
 	const Pending* paused = runs(block, world) ? NULL : block->paused + (world - block->first);
+	uint64_t targets = block_targets_of(block, world - block->first);
 	RowHead* head = s->heads + n;
 	int bits = p->bays.contact_bits;
 	*head = (RowHead){.version = s->work->version,
 	                  .fingerprint = s->templates[n]->fingerprint,
 	                  .dt = p->step.dt,
 	                  .surfaces_changed = paused ? paused->surfaces : p->surfaces_changed,
-	                  .state = s->states[n]};
+	                  .state = s->states[n],
+	                  .targets = targets,
+	                  .target_hash = targets_hash(&s->templates[n]->targets, targets)};
 	head->state.crowded = 0;
 	row_count(s->templates[n], row_slots(s->pair + ((size_t)n << bits), 1 << bits), head->count);
 }
@@ -218,6 +222,10 @@ scree_status block_check(Block* block, const RowWork* work)
 			            "%s: state %d is that of a world with another structure or other settings than the template of "
 			            "world %d",
 			            work->function, number, world);
+		if (head.targets & ~targets_all(&from->targets) ||
+		    head.target_hash != targets_hash(&from->targets, head.targets))
+			return fail(SCREE_ERROR_INVALID, "%s: state %d has pending targets that the template of world %d lacks",
+			            work->function, number, world);
 		if (head.count[ROW_CONTACTS] > block->pipeline.bay_limit)
 			return fail(SCREE_ERROR_INVALID,
 			            "%s: state %d has %d slots for contacts, but worlds of the batch have at most %d contacts",
@@ -252,6 +260,7 @@ static void note_pending(Block* block, const RowHead* head, int row)
 	                   .surfaces = head->surfaces_changed != 0,
 	                   .presses = head->state.presses != 0,
 	                   .taut = head->state.taut_seen != 0};
+	block_targets_set(block, row, head->targets);
 	if (block_runs(block, row))
 		block_pend(block, &pending);
 	else

@@ -24,17 +24,20 @@ typedef struct
 	int* kinematics;   // indices of the kinematic bodies, if they are few; for `request`
 	const Template* templates;
 	int template_count;
-	const int* template_of; // for each world of the batch: index of its template
-	int* spare_of;          // for each template: its spare bay, -1 if no world of the block has it
-	int empty;              // spare bay of a world without items
-	int stage, stages;      // spare bays through which states of worlds come and go: the first one, and their number
-	Int2* copies;           // room for one copy per world
-	int* rows;              // row of the world of each copy
-	int* bay_of;            // by row: bay of the world; below `worlds` for a world that runs, else spare
-	int* row_of;            // by bay, below `worlds`: row of its world, -1 for none
-	Pending* paused;        // by row
-	uint8_t* plan;          // by row: bits of PLAN_*, for block_arrange
-	int* unused;            // spare bays for paused worlds that contain none
+	const int* template_of;   // for each world of the batch: index of its template
+	int* spare_of;            // for each template: its spare bay, -1 if no world of the block has it
+	int empty;                // spare bay of a world without items
+	int stage, stages;        // spare bays through which states of worlds come and go: the first one, and their number
+	Int2* copies;             // room for one copy per world
+	int* rows;                // row of the world of each copy
+	int* bay_of;              // by row: bay of the world; below `worlds` for a world that runs, else spare
+	int* row_of;              // by bay, below `worlds`: row of its world, -1 for none
+	Pending* paused;          // by row
+	uint64_t* targets;        // by row: set of pending targets (template_targets.h); null if no template has any
+	Command* target_commands; // room for the commands of `target_capacity` targets
+	int target_capacity;
+	uint8_t* plan;                 // by row: bits of PLAN_*, for block_arrange
+	int* unused;                   // spare bays for paused worlds that contain none
 	int unused_count, paused_most; // number of these; number of spare bays for paused worlds
 	int crowded,
 	    first_crowded;      // worlds paused in the last call of block_step since they were crowded: number, first row

@@ -56,8 +56,6 @@ static scree_status check_template(const scree_world* world, const char* functio
 		return refuse_template(function, number, "sensors");
 	if (p->asks)
 		return refuse_template(function, number, "contacts that need approval");
-	if (world->target_count > 0)
-		return refuse_template(function, number, "targets of kinematic bodies");
 	if (world->bodies.used > MOST_BAY_ITEMS || world->collidables.used > MOST_BAY_ITEMS ||
 	    p->counters.contacts > MOST_BAY_ITEMS || world->joints.used > MOST_BAY_ITEMS)
 		return fail(SCREE_ERROR_INVALID,
@@ -166,7 +164,8 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	TRY(world_note(world, world->backend->f->read(world->backend, POOL_counters, 0, 1, c)));
 	made->contacts = c->contacts;
 	made->joints = c->joints;
-	made->hidden = world_hidden_hash(world);
+	TRY(targets_read(world, function, number, &made->targets));
+	made->hidden = world_hidden_hash(world) - targets_hash(&made->targets, targets_all(&made->targets));
 	read_settings(world, made);
 	size_t kinematics = (size_t)world->kinematic_count;
 	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));
@@ -230,5 +229,6 @@ void template_close(Template* made)
 	scree_world_destroy(made->world);
 	scree_release(made->chain_memory);
 	scree_release(made->kinematics);
+	scree_release(made->targets.items);
 	*made = (Template){.bodies = 0};
 }

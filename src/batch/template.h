@@ -2,6 +2,7 @@
 // template.h -- reads a world as the template of worlds of a batch, into host memory.
 #ifndef BATCH_TEMPLATE_H
 #define BATCH_TEMPLATE_H
+#include "batch/template_targets.h"
 #include "world/chain/chain_search.h"
 #include "world/world.h"
 
@@ -15,11 +16,12 @@ typedef struct
 	int material_table;  // number of its table of pairs of materials; 0, an empty one, if it has none
 	Pipeline pipeline;   // flags, counters and constants of the last step; owns no memory
 	StepRequest request; // settings of a step; without arrays
-	uint64_t hidden;     // the part of the hash that only the host has
+	uint64_t hidden;     // the part of the hash that only the host has, without pending targets
 	ChainSearch chains;  // chains and branches
 	char* chain_memory;
-	int* kinematics;      // indices of the kinematic bodies
-	uint64_t fingerprint; // fingerprint_of; 0 before a batch or an insertion sets it
+	int* kinematics;         // indices of the kinematic bodies
+	TemplateTargets targets; // pending targets
+	uint64_t fingerprint;    // fingerprint_of; 0 before a batch or an insertion sets it
 } Template;
 
 // Reads a world. function, number: name of the caller, and index of the world among its templates, for messages; ALONE:

@@ -5,6 +5,7 @@
 #include "batch/block_gravity.h"
 #include "batch/block_places.h"
 #include "batch/block_pools.h"
+#include "batch/block_targets.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
 #include "step/constants.h"
@@ -67,6 +68,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		sizes.contacts = larger(sizes.contacts, from->contacts);
 		sizes.joints = larger(sizes.joints, from->joints);
 	}
+	TRY(block_targets_open(block));
 	Pipeline* p = &block->pipeline;
 	TRY(pipeline_open(p, backend, 0, 0));
 	p->step = templates[template_of[first]].pipeline.step;
@@ -100,6 +102,7 @@ void block_close(Block* block)
 	scree_release(block->kinematics);
 	scree_release(block->spare_of);
 	block_places_close(block);
+	block_targets_close(block);
 	scree_release(block->converted);
 	scree_release(block->gravity_rows);
 	*block = (Block){.first = 0};
@@ -163,7 +166,10 @@ static scree_status step_once(Block* block, bool first)
 	while (p->live_bays > 0)
 	{
 		block_aim(block, first);
+		TRY(block_targets_request(block));
 		scree_status status = pipeline_step(p, &block->request);
+		if (status == SCREE_OK)
+			block_targets_end(block);
 		if (status == SCREE_OK || !p->crowded)
 			return status;
 		p->counters.presses = presses; // an abandoned step has not counted them
@@ -186,6 +192,7 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 		return SCREE_OK;
 	TRY(block_gravity(block));
 	TRY(block_apply_inputs(block));
+	block_targets_replace(block);
 	for (int k = 0; k < steps; ++k)
 	{
 		if (k > 0)
@@ -198,8 +205,11 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 scree_status block_hash(Block* block, uint64_t* hashes)
 {
 	TRY(bays_hash(&block->pipeline, hashes + block->first));
-	for (int k = block->first; k < block->first + block->worlds; ++k)
-		hashes[k] += block->templates[block->template_of[k]].hidden;
+	for (int row = 0; row < block->worlds; ++row)
+	{
+		const Template* from = block_template(block, row);
+		hashes[block->first + row] += from->hidden + targets_hash(&from->targets, block_targets_of(block, row));
+	}
 	return SCREE_OK;
 }
 

@@ -29,7 +29,9 @@ typedef struct // 144 bytes: the head of a row
 	float dt;             // s: the last step with dt above 0; 0 if there was none
 	int surfaces_changed; // 1 if surfaces of contacts may have to be computed again
 	BayState state;
-	uint64_t reserved[3]; // 0
+	uint64_t targets;     // set of pending targets of its template (template_targets.h)
+	uint64_t target_hash; // targets_hash of this set
+	uint64_t reserved[1]; // 0
 } RowHead;
 
 #define ROW_MAGIC 0x776f726565726373u // "screerow"

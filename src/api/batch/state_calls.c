@@ -194,9 +194,13 @@ static scree_status insert(scree_batch* batch, const char* function, int world, 
 		    SCREE_ERROR_INVALID,
 		    "%s: from has other settings, or other shapes, masses, joints or rules, than the template of world %d",
 		    function, world);
+	uint64_t targets;
+	if (!targets_find(&now->targets, &read->targets, &targets))
+		return fail(SCREE_ERROR_INVALID, "%s: from has pending targets that the template of world %d lacks", function,
+		            world);
 	char* row;
 	size_t bytes;
-	TRY(row_of_world(read, function, &row, &bytes));
+	TRY(row_of_world(read, targets, targets_hash(&now->targets, targets), function, &row, &bytes));
 	scree_status status = load_rows(batch, function, &world, 1, row, bytes);
 	scree_release(row);
 	return status;

@@ -6,4 +6,7 @@
 
 uint64_t world_hidden_hash(const scree_world* world);
 
+// Returns the part of it that a pending target of a kinematic body is.
+uint64_t target_hash(int body, scree_pose pose);
+
 #endif
