@@ -2419,7 +2419,7 @@ typedef struct scree_batch_def
 	int worlds;    // number of worlds, 1 to 16,777,216; default 1
 	// Array of template_count worlds, at least one. They are copied, so the program may change or destroy them. Each has at
 	// most 4,096 bodies, collidables, contacts and joints, and 64 pending targets; scree_world_def.sleep is false; there are no
-	// sensors, and no contacts that need approval. All have the same tuning. Fields of a world are those of its template.
+	// sensors, and no contacts that need approval. Fields and tuning of a world are those of its template.
 	scree_world** templates;
 	int template_count;
 	const int* template_of; // for each world, the index of its template; null (default): world i has template i modulo

@@ -11,8 +11,7 @@
 
 static scree_vec gravity_of_world(const Block* block, int k)
 {
-	int world = block->first + k;
-	return block->gravity ? block->gravity[world] : block->templates[block->template_of[world]].request.gravity;
+	return block->gravity ? block->gravity[block_world(block, k)] : block_template(block, k)->request.gravity;
 }
 
 // Sets the gravity of the step: that of the world that gravity moves farthest, on which Step.calm depends.

@@ -110,6 +110,12 @@ static void add_pending(Block* block, int row, bool resets)
 static int next_masked(const Block* block, const uint8_t* mask, int row)
 {
 	const uint8_t* bytes = mask + block->first;
+	if (block->order->world)
+	{
+		while (row < block->worlds && !mask[block_world(block, row)])
+			++row;
+		return row;
+	}
 	for (uint64_t word; row + 8 <= block->worlds; row += 8) // most worlds are not reset
 	{
 		memcpy(&word, bytes + row, sizeof word);
@@ -127,7 +133,7 @@ scree_status block_restore(Block* block, const uint8_t* mask, int* count)
 	for (int row = mask ? next_masked(block, mask, 0) : 0, last = -1; row < block->worlds;
 	     row = mask ? next_masked(block, mask, row + 1) : row + 1)
 	{
-		int number = block->template_of[block->first + row];
+		int number = block_number(block, row);
 		if (number != last)
 			add_pending(block, row, true);
 		last = number;
@@ -162,8 +168,7 @@ static scree_status enter(Block* block, int live)
 		else if (to != from)
 			block->row_of[from] = -1;
 		if (resets || to != from)
-			block_add_copy(block, &count, resets ? block->spare_of[block->template_of[block->first + row]] : from, to,
-			               row);
+			block_add_copy(block, &count, resets ? block->spare_of[block_number(block, row)] : from, to, row);
 		block->bay_of[row] = to;
 		block->row_of[to] = row;
 	}

@@ -28,10 +28,10 @@ typedef struct // the states in the spare bays of a block
 
 static const Template* template_of_world(const Block* block, int world)
 {
-	return block_template(block, world - block->first);
+	return block_template(block, block_row(block, world));
 }
 
-static bool runs(const Block* block, int world) { return block_runs(block, world - block->first); }
+static bool runs(const Block* block, int world) { return block_runs(block, block_row(block, world)); }
 
 static int bay_items(const Bays* bays, int kind)
 {
@@ -48,8 +48,8 @@ size_t block_row_bytes(const Block* block)
 	for (int k = 0; k < block->worlds; ++k)
 	{
 		int count[ROW_KINDS];
-		const Template* from = template_of_world(block, block->first + k);
-		if (k > 0 && from == template_of_world(block, block->first + k - 1))
+		const Template* from = block_template(block, k);
+		if (k > 0 && from == block_template(block, k - 1))
 			continue;
 		row_count(from, 1 << block->pipeline.bays.contact_bits, count);
 		size_t bytes = row_layout(count, NULL);
@@ -113,8 +113,8 @@ static void write_head(Staged* s, int n, int world)
 {
 	const Block* block = s->block;
 	const Pipeline* p = &block->pipeline;
-	const Pending* paused = runs(block, world) ? NULL : block->paused + (world - block->first);
-	uint64_t targets = block_targets_of(block, world - block->first);
+	const Pending* paused = runs(block, world) ? NULL : block->paused + block_row(block, world);
+	uint64_t targets = block_targets_of(block, block_row(block, world));
 	RowHead* head = s->heads + n;
 	int bits = p->bays.contact_bits;
 	*head = (RowHead){.version = s->work->version,
@@ -157,7 +157,7 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 		int world = s->work->worlds[copies[n]];
 		s->rows[n] = row_of(s->work, copies[n]);
 		s->templates[n] = template_of_world(block, world);
-		block_add_copy(block, &n, block->bay_of[world - block->first], block->stage + n, -1);
+		block_add_copy(block, &n, block->bay_of[block_row(block, world)], block->stage + n, -1);
 	}
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, count));
 	TRY(b->f->read(b, POOL_bay_state, block->stage, count, s->states));
@@ -316,7 +316,7 @@ static scree_status add_copy(Staged* s, char* row, int world)
 		memcpy(s->heads + s->count, row, sizeof *s->heads);
 		++s->count;
 	}
-	int row_of_world = world - block->first;
+	int row_of_world = block_row(block, world);
 	block_add_copy(block, &s->copies, block->stage + s->count - 1, block->bay_of[row_of_world], row_of_world);
 	return SCREE_OK;
 }

@@ -55,7 +55,10 @@ static scree_status check_template(const scree_world* world, const char* functio
 	if (world->sensors.alive > 0 || world->sensors.visit_count > 0) // visits to a destroyed sensor end in the next step
 		return refuse_template(function, number, "sensors");
 	if (p->asks)
-		return refuse_template(function, number, "contacts that need approval");
+		return fail(SCREE_ERROR_INVALID,
+		            "%s: %s has, or had, contacts that need approval (SCREE_REPORT_APPROVAL), which worlds of a batch "
+		            "cannot have, because the program would have to answer for each world after each step",
+		            function, subject_of(number).text);
 	if (world->bodies.used > MOST_BAY_ITEMS || world->collidables.used > MOST_BAY_ITEMS ||
 	    p->counters.contacts > MOST_BAY_ITEMS || world->joints.used > MOST_BAY_ITEMS)
 		return fail(SCREE_ERROR_INVALID,

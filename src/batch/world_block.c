@@ -44,10 +44,14 @@ static void add_flags(Pipeline* p, const Pipeline* from)
 }
 
 scree_status block_open(Block* block, Backend* backend, const Template* templates, int count, const int* template_of,
-                        int first, int worlds, int contact_limit)
+                        const WorldOrder* order, int first, int worlds, int contact_limit)
 {
-	*block = (Block){
-	    .backend = backend, .templates = templates, .template_of = template_of, .first = first, .worlds = worlds};
+	*block = (Block){.backend = backend,
+	                 .templates = templates,
+	                 .template_of = template_of,
+	                 .order = order,
+	                 .first = first,
+	                 .worlds = worlds};
 	block->template_count = count;
 	block->spare_of = scree_allocate(sizeof(int) * (size_t)count);
 	block->kinematics = scree_allocate(sizeof(int) * (size_t)(KINEMATIC_FEW + 1));
@@ -59,7 +63,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 	memset(block->spare_of, -1, sizeof(int) * (size_t)count);
 	for (int k = 0; k < worlds; ++k)
 	{
-		int t = template_of[first + k];
+		int t = block_number(block, k);
 		const Template* from = templates + t;
 		if (block->spare_of[t] < 0)
 			block->spare_of[t] = worlds + sizes.spares++;
@@ -71,8 +75,8 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 	TRY(block_targets_open(block));
 	Pipeline* p = &block->pipeline;
 	TRY(pipeline_open(p, backend, 0, 0));
-	p->step = templates[template_of[first]].pipeline.step;
-	block->request = templates[template_of[first]].request;
+	p->step = block_template(block, 0)->pipeline.step;
+	block->request = block_template(block, 0)->request;
 	for (int t = 0; t < count; ++t)
 	{
 		if (block->spare_of[t] < 0)
@@ -117,13 +121,13 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 		return block_apply_reset(block, count);
 	}
 	for (int k = 0; k < block->worlds; ++k)
-		block->plan[k] = !mask || mask[block->first + k] ? PLAN_RESET : block_runs(block, k) ? 0 : PLAN_PAUSE;
+		block->plan[k] = !mask || mask[block_world(block, k)] ? PLAN_RESET : block_runs(block, k) ? 0 : PLAN_PAUSE;
 	TRY(block_arrange(block));
 	for (int k = 0; k < block->worlds; ++k)
 	{
 		if (!(block->plan[k] & PLAN_RESET))
 			continue;
-		block_add_copy(block, &count, block->spare_of[block->template_of[block->first + k]], block->bay_of[k], k);
+		block_add_copy(block, &count, block->spare_of[block_number(block, k)], block->bay_of[k], k);
 	}
 	return block_apply_reset(block, count);
 }
@@ -131,7 +135,7 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 scree_status block_pause(Block* block, const uint8_t* mask)
 {
 	for (int k = 0; k < block->worlds; ++k)
-		block->plan[k] = mask && mask[block->first + k] ? PLAN_PAUSE : 0;
+		block->plan[k] = mask && mask[block_world(block, k)] ? PLAN_PAUSE : 0;
 	return block_arrange(block);
 }
 
@@ -204,16 +208,31 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 
 scree_status block_hash(Block* block, uint64_t* hashes)
 {
-	TRY(bays_hash(&block->pipeline, hashes + block->first));
-	for (int row = 0; row < block->worlds; ++row)
+	uint64_t* own = block->order->world ? scree_allocate(sizeof *own * (size_t)block->worlds) : hashes + block->first;
+	if (!own)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the hashes of %d worlds", block->worlds);
+	scree_status status = bays_hash(&block->pipeline, own);
+	for (int row = 0; row < block->worlds && status == SCREE_OK; ++row)
 	{
 		const Template* from = block_template(block, row);
-		hashes[block->first + row] += from->hidden + targets_hash(&from->targets, block_targets_of(block, row));
+		hashes[block_world(block, row)] =
+		    own[row] + from->hidden + targets_hash(&from->targets, block_targets_of(block, row));
 	}
-	return SCREE_OK;
+	if (block->order->world)
+		scree_release(own);
+	return status;
 }
 
 scree_status block_counters(Block* block, BayCounters* counters)
 {
-	return bays_counters(&block->pipeline, counters + block->first);
+	if (!block->order->world)
+		return bays_counters(&block->pipeline, counters + block->first);
+	BayCounters* own = scree_allocate(sizeof *own * (size_t)block->worlds);
+	if (!own)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the counters of %d worlds", block->worlds);
+	scree_status status = bays_counters(&block->pipeline, own);
+	for (int row = 0; row < block->worlds && status == SCREE_OK; ++row)
+		counters[block_world(block, row)] = own[row];
+	scree_release(own);
+	return status;
 }
