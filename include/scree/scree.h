@@ -2418,9 +2418,9 @@ typedef struct scree_batch_def
 	uint32_t size; // set by scree_batch_def_default
 	int worlds;    // number of worlds, 1 to 16,777,216; default 1
 	// Array of template_count worlds, at least one. They are copied, so the program may change or destroy them. Each has at
-	// most 4,096 bodies, collidables, contacts and joints; there are no fields, pending targets, or contacts that need
-	// approval, and no visits to a collidable that was a sensor, but is none since the last step. All have the same tuning,
-	// but for sleep and its threshold.
+	// most 4,096 bodies, collidables, contacts and joints, and 64 pending targets; there are no contacts that need approval,
+	// and no visits to a collidable that was a sensor, but is none since the last step. Fields, tuning and sleep of a world
+	// are those of its template.
 	scree_world** templates;
 	int template_count;
 	const int* template_of; // for each world, the index of its template; null (default): world i has template i modulo

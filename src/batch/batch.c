@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // batch.c -- makes batches, and does work for all blocks of a batch.
 //
-// On a GPU all worlds share one block. On a CPU a worker steps the worlds of a block alone, so that no worker waits for
+// On a GPU all worlds with the same tuning share one block. On a CPU a worker steps the worlds of a block alone, so that no worker waits for
 // another within a step, and the pools of a block stay in the worker's cache.
 #include "batch/batch.h"
 #include "batch/channel_rows.h"
@@ -10,7 +10,6 @@
 #include "platform/processor.h"
 #include "step/bay_layout.h"
 #include "world/device/devices.h"
-#include "world/tuning_members.h"
 #include <stdatomic.h>
 #include <string.h>
 
@@ -73,30 +72,30 @@ static scree_status read_templates(scree_batch* batch, const scree_batch_def* de
 	batch->templates = scree_allocate(sizeof *batch->templates * (size_t)def->template_count);
 	if (!batch->templates)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for templates", function);
-	int attributes = 0, samples = 0, tables = 0;
+	int attributes = 0, samples = 0, fields = 0, tables = 0;
 	for (int t = 0; t < def->template_count; ++t)
 	{
 		Template* made = batch->templates + t;
 		batch->template_count = t + 1;
 		TRY(template_read(def->templates[t], function, t, made));
 		made->fingerprint = fingerprint_of(made);
-		if (!tuning_equal(&made->request.tuning, &batch->templates->request.tuning))
-			return fail(SCREE_ERROR_INVALID, "%s: template %d has another tuning than template 0", function, t);
 		int contacts = made->pipeline.counters.alive - made->pipeline.counters.released;
 		if (def->contact_limit > 0 && contacts > def->contact_limit)
 			return fail(SCREE_ERROR_INVALID, "%s: template %d has %d contacts, more than def.contact_limit, %d",
 			            function, t, contacts, def->contact_limit);
 		bool pairs = made->count[POOL_material_pair] > 0;
 		if (made->attributes > MAX_ITEMS - attributes || made->count[POOL_path_sample] > MAX_ITEMS - samples ||
-		    tables == MOST_TABLES)
-			return fail(SCREE_ERROR_OUT_OF_MEMORY,
-			            "%s: templates 0 to %d have more than %d attributes or path samples, or %d tables of pairs of "
-			            "materials",
-			            function, t, MAX_ITEMS, MOST_TABLES);
+		    made->count[POOL_field] > MAX_ITEMS - fields || tables == MOST_TABLES)
+			return fail(
+			    SCREE_ERROR_OUT_OF_MEMORY,
+			    "%s: templates 0 to %d have more than %d attributes, path samples or fields, or %d tables of pairs "
+			    "of materials",
+			    function, t, MAX_ITEMS, MOST_TABLES);
 		tables += pairs;
-		template_shift(made, attributes, samples, pairs ? tables : 0);
+		template_shift(made, attributes, samples, fields, pairs ? tables : 0);
 		attributes += made->attributes;
 		samples += made->count[POOL_path_sample];
+		fields += made->count[POOL_field];
 	}
 	return SCREE_OK;
 }
@@ -123,25 +122,39 @@ static int block_worlds(const scree_batch* batch, int workers)
 	return worlds < share ? worlds : share;
 }
 
+// Returns the number of blocks of at most `worlds` worlds, each with one tuning.
+static int count_blocks(const WorldOrder* order, int worlds)
+{
+	int blocks = 0;
+	for (int group = 0, first = 0; group < order->groups; ++group)
+	{
+		blocks += (order->end[group] - first + worlds - 1) / worlds;
+		first = order->end[group];
+	}
+	return blocks;
+}
+
 static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, const char* function)
 {
 	bool cpu = strcmp(def->device, "cpu") == 0;
 	int cores = processor_cores(), workers = def->threads > 0      ? def->threads
 	                                         : cores < MAX_WORKERS ? cores
 	                                                               : MAX_WORKERS;
-	int worlds = cpu ? block_worlds(batch, workers) : batch->worlds;
-	int blocks = (batch->worlds + worlds - 1) / worlds;
+	int worlds = cpu ? block_worlds(batch, workers) : batch->worlds, blocks = count_blocks(&batch->order, worlds);
 	batch->blocks = scree_allocate(sizeof *batch->blocks * (size_t)blocks);
 	if (!batch->blocks)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d blocks", function, blocks);
-	for (int k = 0; k < blocks; ++k)
+	for (int k = 0, group = 0, first = 0; k < blocks; ++k)
 	{
-		int first = k * worlds, count = batch->worlds - first < worlds ? batch->worlds - first : worlds;
+		while (first == batch->order.end[group])
+			++group;
+		int rest = batch->order.end[group] - first, count = rest < worlds ? rest : worlds;
 		Backend* backend;
 		TRY(open_device(def, cpu ? 1 : def->threads, &backend));
 		batch->block_count = k + 1;
-		TRY(block_open(batch->blocks + k, backend, batch->templates, batch->template_count, batch->template_of, first,
-		               count, def->contact_limit));
+		TRY(block_open(batch->blocks + k, backend, batch->templates, batch->template_count, batch->template_of,
+		               &batch->order, first, count, def->contact_limit));
+		first += count;
 	}
 	if (blocks > 1 && workers > 1)
 	{
@@ -168,6 +181,8 @@ scree_status batch_create(const scree_batch_def* def, const char* function, scre
 	if (status == SCREE_OK)
 		status = read_templates(made, def, function);
 	if (status == SCREE_OK)
+		status = order_open(&made->order, made->templates, made->template_count, made->template_of, made->worlds);
+	if (status == SCREE_OK)
 		status = open_blocks(made, def, function);
 	if (status == SCREE_OK)
 		*batch = made;
@@ -191,6 +206,7 @@ void batch_destroy(scree_batch* batch)
 		channels_close(batch->sets + k);
 	scree_release(batch->templates);
 	scree_release(batch->template_of);
+	order_close(&batch->order);
 	scree_release(batch->gravity);
 	scree_release(batch->blocks);
 	scree_release(batch);

@@ -9,7 +9,8 @@ struct scree_batch
 {
 	int worlds, template_count, block_count;
 	Template* templates;
-	int* template_of;   // for each world: index of its template
+	int* template_of; // for each world: index of its template
+	WorldOrder order;
 	scree_vec* gravity; // m/s^2, for each world; null: that of the templates
 	Block* blocks;
 	ChannelSet sets[CHANNEL_LISTS];

@@ -8,11 +8,11 @@
 
 #define ALIGNED 64 // columns: rows of a list begin at a multiple of this
 
-// Returns memory of the user for the rows of the block.
-static float* memory_of(const Block* block, int which)
+// Returns memory of the user for the row of a world.
+static float* memory_of(const Block* block, int which, int row)
 {
 	const ChannelSet* set = block->sets + which;
-	return set->memory + (size_t)block->first * (size_t)set->columns;
+	return set->memory + (size_t)block_world(block, row) * (size_t)set->columns;
 }
 
 static scree_status run_groups(Block* block, int kernel, int which, int bits, int rows, int begin, int end)
@@ -43,13 +43,17 @@ static void lay_out(Block* block, int templates, int* channels, int* groups, int
 	}
 }
 
-static bool converts(const ChannelSet* set) { return set->poses || set->unit != 0.0; }
+// Returns whether rows go through Block.converted, because they are converted, or not adjacent in the memory of the user.
+static bool converts(const Block* block, const ChannelSet* set)
+{
+	return set->poses || set->unit != 0.0 || block->order->world;
+}
 
 static scree_status reserve_rows(Block* block)
 {
 	int columns = block->sets[CHANNELS_RESET].columns;
 	for (int k = 0; k < CHANNEL_LISTS; ++k)
-		if (converts(block->sets + k) && block->sets[k].columns > columns)
+		if (converts(block, block->sets + k) && block->sets[k].columns > columns)
 			columns = block->sets[k].columns;
 	scree_release(block->converted);
 	block->converted = scree_allocate(sizeof(float) * ((size_t)block->worlds * (size_t)columns + 1));
@@ -112,12 +116,12 @@ scree_status block_apply_inputs(Block* block)
 	if (!block->sets || block->sets[CHANNELS_STEP].count == 0)
 		return SCREE_OK;
 	const ChannelSet* set = block->sets + CHANNELS_STEP;
-	const float* rows = memory_of(block, CHANNELS_STEP);
 	size_t columns = (size_t)set->columns;
-	for (int k = 0; k < block->worlds && converts(set); ++k)
-		channels_put(set, block->converted + (size_t)k * columns, rows + (size_t)k * columns);
+	bool converted = converts(block, set);
+	for (int k = 0; k < block->worlds && converted; ++k)
+		channels_put(set, block->converted + (size_t)k * columns, memory_of(block, CHANNELS_STEP, k));
 	TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_STEP].column, block->worlds * set->columns,
-	                converts(set) ? block->converted : rows));
+	                converted ? block->converted : memory_of(block, CHANNELS_STEP, 0)));
 	return apply(block, CHANNELS_STEP, 0, block->pipeline.live_bays);
 }
 
@@ -155,8 +159,7 @@ scree_status block_apply_reset(Block* block, int resets)
 		return SCREE_OK;
 	size_t columns = (size_t)set->columns;
 	for (int k = 0; k < resets && set->count > 0; ++k)
-		channels_put(set, block->converted + (size_t)k * columns,
-		             memory_of(block, CHANNELS_RESET) + (size_t)block->rows[k] * columns);
+		channels_put(set, block->converted + (size_t)k * columns, memory_of(block, CHANNELS_RESET, block->rows[k]));
 	TRY(b->f->write(b, POOL_bay_copy, 0, resets, block->copies));
 	if (set->count > 0)
 		TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_RESET].column, resets * set->columns, block->converted));
@@ -187,11 +190,11 @@ scree_status block_write_outputs(Block* block)
 	TRY(run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, 0, live, 0, set->joint_group));
 	TRY(run_groups(block, KERNEL_channel_joint, CHANNELS_OUTPUTS, 0, live, set->joint_group, set->ray_group));
 	TRY(run_groups(block, KERNEL_channel_ray, CHANNELS_OUTPUTS, 0, live, set->ray_group, set->groups));
-	float* memory = memory_of(block, CHANNELS_OUTPUTS);
-	float* to = converts(set) ? block->converted : memory;
+	bool converted = converts(block, set);
+	float* to = converted ? block->converted : memory_of(block, CHANNELS_OUTPUTS, 0);
 	TRY(b->f->read(b, POOL_column, block->lists[CHANNELS_OUTPUTS].column, rows * set->columns, to));
 	size_t columns = (size_t)set->columns;
-	for (int k = 0; k < rows && converts(set); ++k)
-		channels_get(set, memory + (size_t)k * columns, block->converted + (size_t)k * columns);
+	for (int k = 0; k < rows && converted; ++k)
+		channels_get(set, memory_of(block, CHANNELS_OUTPUTS, k), block->converted + (size_t)k * columns);
 	return SCREE_OK;
 }

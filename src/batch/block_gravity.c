@@ -12,7 +12,7 @@
 
 static scree_vec gravity_in(const Block* block, const scree_vec* gravity, int row)
 {
-	return gravity ? gravity[block->first + row] : block_template(block, row)->request.gravity;
+	return gravity ? gravity[block_world(block, row)] : block_template(block, row)->request.gravity;
 }
 
 scree_vec block_world_gravity(const Block* block, int row) { return gravity_in(block, block->gravity, row); }

@@ -5,6 +5,7 @@
 // is in a spare bay. A bay that a paused world left gets a world that runs again, or the one from the last live bay.
 #include "batch/block_places.h"
 #include "batch/block_pools.h"
+#include "batch/block_targets.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
 #include <string.h>
@@ -109,6 +110,12 @@ static void add_pending(Block* block, int row, bool resets)
 static int next_masked(const Block* block, const uint8_t* mask, int row)
 {
 	const uint8_t* bytes = mask + block->first;
+	if (block->order->world)
+	{
+		while (row < block->worlds && !mask[block_world(block, row)])
+			++row;
+		return row;
+	}
 	for (uint64_t word; row + 8 <= block->worlds; row += 8) // most worlds are not reset
 	{
 		memcpy(&word, bytes + row, sizeof word);
@@ -126,10 +133,11 @@ scree_status block_restore(Block* block, const uint8_t* mask, int* count)
 	for (int row = mask ? next_masked(block, mask, 0) : 0, last = -1; row < block->worlds;
 	     row = mask ? next_masked(block, mask, row + 1) : row + 1)
 	{
-		int number = block->template_of[block->first + row];
+		int number = block_number(block, row);
 		if (number != last)
 			add_pending(block, row, true);
 		last = number;
+		block_targets_begin(block, row);
 		block_add_copy(block, count, block->spare_of[number], block->bay_of[row], row);
 	}
 	return copy(block, *count);
@@ -153,13 +161,14 @@ static scree_status enter(Block* block, int live)
 		}
 		if (resets || !ran)
 			add_pending(block, row, resets);
+		if (resets)
+			block_targets_begin(block, row);
 		if (!ran)
 			block->unused[block->unused_count++] = from;
 		else if (to != from)
 			block->row_of[from] = -1;
 		if (resets || to != from)
-			block_add_copy(block, &count, resets ? block->spare_of[block->template_of[block->first + row]] : from, to,
-			               row);
+			block_add_copy(block, &count, resets ? block->spare_of[block_number(block, row)] : from, to, row);
 		block->bay_of[row] = to;
 		block->row_of[to] = row;
 	}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // block_pools.c -- writes templates, and data that all worlds of a template share, into the pools of a block.
 #include "batch/block_pools.h"
+#include "batch/block_fields.h"
 #include "platform/error.h"
 #include "pools/bays.h"
 #include "step/bay_layout.h"
@@ -274,6 +275,7 @@ scree_status block_fill(Block* block)
 	Pipeline* p = &block->pipeline;
 	TRY(fill_attributes(block, block->template_count));
 	TRY(fill_tables(block, block->template_count));
+	TRY(block_fields(block));
 	TRY(fill_excluded(block));
 	TRY(fill_chains(block));
 	TRY(fill_empty(block));

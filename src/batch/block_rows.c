@@ -6,6 +6,7 @@
 #include "batch/block_channels.h"
 #include "batch/block_gravity.h"
 #include "batch/block_places.h"
+#include "batch/block_targets.h"
 #include "batch/world_row.h"
 #include "pools/bays.h"
 #include "step/bay_layout.h"
@@ -28,10 +29,10 @@ typedef struct // the states in the spare bays of a block
 
 static const Template* template_of_world(const Block* block, int world)
 {
-	return block_template(block, world - block->first);
+	return block_template(block, block_row(block, world));
 }
 
-static bool runs(const Block* block, int world) { return block_runs(block, world - block->first); }
+static bool runs(const Block* block, int world) { return block_runs(block, block_row(block, world)); }
 
 static int bay_items(const Bays* bays, int kind)
 {
@@ -49,8 +50,8 @@ size_t block_row_bytes(const Block* block)
 	for (int k = 0; k < block->worlds; ++k)
 	{
 		int count[ROW_KINDS];
-		const Template* from = template_of_world(block, block->first + k);
-		if (k > 0 && from == template_of_world(block, block->first + k - 1))
+		const Template* from = block_template(block, k);
+		if (k > 0 && from == block_template(block, k - 1))
 			continue;
 		row_count(from, 1 << block->pipeline.bays.contact_bits, count);
 		size_t bytes = row_layout(count, NULL);
@@ -115,7 +116,8 @@ static void write_head(Staged* s, int n, int world)
 {
 	const Block* block = s->block;
 	const Pipeline* p = &block->pipeline;
-	const Pending* paused = runs(block, world) ? NULL : block->paused + (world - block->first);
+	const Pending* paused = runs(block, world) ? NULL : block->paused + block_row(block, world);
+	uint64_t targets = block_targets_of(block, block_row(block, world));
 	RowHead* head = s->heads + n;
 	int bits = p->bays.contact_bits;
 	*head = (RowHead){.version = s->work->version,
@@ -123,7 +125,9 @@ static void write_head(Staged* s, int n, int world)
 	                  .dt = p->step.dt,
 	                  .surfaces_changed = paused ? paused->surfaces : p->surfaces_changed,
 	                  .state = s->states[n],
-	                  .gravity = block_world_gravity(block, world - block->first)};
+	                  .gravity = block_world_gravity(block, block_row(block, world)),
+	                  .targets = targets,
+	                  .target_hash = targets_hash(&s->templates[n]->targets, targets)};
 	head->state.crowded = 0;
 	row_count(s->templates[n], row_slots(s->pair + ((size_t)n << bits), 1 << bits), head->count);
 }
@@ -196,7 +200,7 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 		int world = s->work->worlds[copies[n]];
 		s->rows[n] = row_of(s->work, copies[n]);
 		s->templates[n] = template_of_world(block, world);
-		block_add_copy(block, &n, block->bay_of[world - block->first], block->stage + n, -1);
+		block_add_copy(block, &n, block->bay_of[block_row(block, world)], block->stage + n, -1);
 	}
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, count));
 	TRY(b->f->read(b, POOL_bay_state, block->stage, count, s->states));
@@ -262,6 +266,10 @@ scree_status block_check(Block* block, const RowWork* work)
 			            "%s: state %d is that of a world with another structure or other settings than the template of "
 			            "world %d",
 			            work->function, number, world);
+		if (head.targets & ~targets_all(&from->targets) ||
+		    head.target_hash != targets_hash(&from->targets, head.targets))
+			return fail(SCREE_ERROR_INVALID, "%s: state %d has pending targets that the template of world %d lacks",
+			            work->function, number, world);
 		if (head.count[ROW_CONTACTS] > block->pipeline.bay_limit)
 			return fail(SCREE_ERROR_INVALID,
 			            "%s: state %d has %d slots for contacts, but worlds of the batch have at most %d contacts",
@@ -296,6 +304,7 @@ static void note_pending(Block* block, const RowHead* head, int row)
 	                   .surfaces = head->surfaces_changed != 0,
 	                   .presses = head->state.presses != 0,
 	                   .taut = head->state.taut_seen != 0};
+	block_targets_set(block, row, head->targets);
 	if (block_runs(block, row))
 		block_pend(block, &pending);
 	else
@@ -369,7 +378,7 @@ static scree_status add_copy(Staged* s, char* row, int world)
 		memcpy(s->heads + s->count, row, sizeof *s->heads);
 		++s->count;
 	}
-	int row_of_world = world - block->first;
+	int row_of_world = block_row(block, world);
 	block_add_copy(block, &s->copies, block->stage + s->count - 1, block->bay_of[row_of_world], row_of_world);
 	return SCREE_OK;
 }

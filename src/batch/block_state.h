@@ -3,6 +3,7 @@
 #ifndef BLOCK_STATE_H
 #define BLOCK_STATE_H
 #include "batch/channel_set.h"
+#include "batch/world_order.h"
 
 // Bits of Block.plan: the world is paused afterwards; it is put back to its template, and runs.
 #define PLAN_PAUSE 1
@@ -20,21 +21,25 @@ typedef struct
 	Backend* backend;
 	Pipeline pipeline;
 	StepRequest request;
-	int first, worlds; // range of worlds of the batch; the row of a world is its number in this range
-	int* kinematics;   // indices of the kinematic bodies, if they are few; for `request`
+	const WorldOrder* order; // all worlds of the batch
+	int first, worlds;       // range of places of this order; the row of a world is its number in this range
+	int* kinematics;         // indices of the kinematic bodies, if they are few; for `request`
 	const Template* templates;
 	int template_count;
-	const int* template_of; // for each world of the batch: index of its template
-	int* spare_of;          // for each template: its spare bay, -1 if no world of the block has it
-	int empty;              // spare bay of a world without items
-	int stage, stages;      // spare bays through which states of worlds come and go: the first one, and their number
-	Int2* copies;           // room for one copy per world
-	int* rows;              // row of the world of each copy
-	int* bay_of;            // by row: bay of the world; below `worlds` for a world that runs, else spare
-	int* row_of;            // by bay, below `worlds`: row of its world, -1 for none
-	Pending* paused;        // by row
-	uint8_t* plan;          // by row: bits of PLAN_*, for block_arrange
-	int* unused;            // spare bays for paused worlds that contain none
+	const int* template_of;   // for each world of the batch: index of its template
+	int* spare_of;            // for each template: its spare bay, -1 if no world of the block has it
+	int empty;                // spare bay of a world without items
+	int stage, stages;        // spare bays through which states of worlds come and go: the first one, and their number
+	Int2* copies;             // room for one copy per world
+	int* rows;                // row of the world of each copy
+	int* bay_of;              // by row: bay of the world; below `worlds` for a world that runs, else spare
+	int* row_of;              // by bay, below `worlds`: row of its world, -1 for none
+	Pending* paused;          // by row
+	uint64_t* targets;        // by row: set of pending targets (template_targets.h); null if no template has any
+	Command* target_commands; // room for the commands of `target_capacity` targets
+	int target_capacity;
+	uint8_t* plan;                 // by row: bits of PLAN_*, for block_arrange
+	int* unused;                   // spare bays for paused worlds that contain none
 	int unused_count, paused_most; // number of these; number of spare bays for paused worlds
 	int crowded,
 	    first_crowded;      // worlds paused in the last call of block_step since they were crowded: number, first row
@@ -49,9 +54,14 @@ typedef struct
 	int gravity_substeps;     // and its number of substeps
 } Block;
 
+// Returns the number of the world of a row in the batch, its row, and the index of its template.
+static inline int block_world(const Block* block, int row) { return order_world(block->order, block->first + row); }
+static inline int block_row(const Block* block, int world) { return order_place(block->order, world) - block->first; }
+static inline int block_number(const Block* block, int row) { return block->template_of[block_world(block, row)]; }
+
 static inline const Template* block_template(const Block* block, int row)
 {
-	return block->templates + block->template_of[block->first + row];
+	return block->templates + block_number(block, row);
 }
 
 // Adds a copy of a world to the list of the block. row: row of the world, -1 if the copy is no world of the batch.

@@ -14,7 +14,8 @@
 #include "world/upload/upload.h"
 #include <string.h>
 
-scree_status row_of_world(const Template* read, const char* function, char** row, size_t* bytes)
+scree_status row_of_world(const Template* read, uint64_t targets, uint64_t target_hash, const char* function,
+                          char** row, size_t* bytes)
 {
 	const Pipeline* p = &read->pipeline;
 	size_t at[POOL_COUNT];
@@ -23,7 +24,9 @@ scree_status row_of_world(const Template* read, const char* function, char** row
 	                .dt = p->step.dt,
 	                .surfaces_changed = p->surfaces_changed,
 	                .state = template_state(read),
-	                .gravity = read->request.gravity};
+	                .gravity = read->request.gravity,
+	                .targets = targets,
+	                .target_hash = target_hash};
 	row_count(read, row_slots(read->image.pair, read->contacts), head.count);
 	*bytes = row_layout(head.count, at);
 	*row = scree_allocate(*bytes);
@@ -192,5 +195,6 @@ scree_status world_take_row(scree_world* world, const Template* from, const char
 {
 	RowHead head;
 	memcpy(&head, row, sizeof head);
+	targets_keep(&from->targets, head.targets, world);
 	return world_note(world, take_items(world, from, &head, row));
 }

@@ -7,7 +7,6 @@
 #include "world/chain/chains.h"
 #include "world/device/lasting.h"
 #include "world/failure.h"
-#include "world/objects/fields.h"
 #include "world/objects/hidden_hash.h"
 #include "world/tuning_members.h"
 #include "world/upload/upload.h"
@@ -55,14 +54,13 @@ static scree_status check_template(const scree_world* world, const char* functio
 		return fail(SCREE_ERROR_INVALID,
 		            "%s: sleep of %s was turned off since its last step; it must take a step first", function,
 		            subject_of(number).text);
-	if (world->fields.slots.alive > 0)
-		return refuse_template(function, number, "fields");
 	if (!visits_are_plain(world)) // they end in the next step
 		return refuse_template(function, number, "visits to a collidable that is no longer a sensor");
 	if (p->asks)
-		return refuse_template(function, number, "contacts that need approval");
-	if (world->target_count > 0)
-		return refuse_template(function, number, "targets of kinematic bodies");
+		return fail(SCREE_ERROR_INVALID,
+		            "%s: %s has, or had, contacts that need approval (SCREE_REPORT_APPROVAL), which worlds of a batch "
+		            "cannot have, because the program would have to answer for each world after each step",
+		            function, subject_of(number).text);
 	if (world->bodies.used > MOST_BAY_ITEMS || world->collidables.used > MOST_BAY_ITEMS ||
 	    p->counters.contacts > MOST_BAY_ITEMS || world->joints.used > MOST_BAY_ITEMS)
 		return fail(SCREE_ERROR_INVALID,
@@ -109,6 +107,19 @@ static scree_status read_pools(scree_world* world, const char* function, Templat
 			TRY(world_note(world, world->backend->f->read(world->backend, (PoolId)pool, 0, count, memory)));
 	}
 	return SCREE_OK;
+}
+
+// Reads the active fields, which the last upload has written.
+static scree_status read_fields(scree_world* world, const char* function, Template* made)
+{
+	int count = world->fields.acting;
+	if (count == 0)
+		return SCREE_OK;
+	made->image.field = scree_allocate(sizeof(Field) * (size_t)count);
+	if (!made->image.field)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d fields of a template", function, count);
+	made->count[POOL_field] = count;
+	return world_note(world, world->backend->f->read(world->backend, POOL_field, 0, count, made->image.field));
 }
 
 // Moves the kept values of constraints from their rows to their slots. A joint that was destroyed since the last step
@@ -160,7 +171,9 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	TRY(world_note(world, world->backend->f->read(world->backend, POOL_counters, 0, 1, c)));
 	made->contacts = c->contacts;
 	made->joints = c->joints;
-	made->hidden = world_hidden_hash(world) - world_visits_hash(world);
+	TRY(targets_read(world, function, number, &made->targets));
+	made->hidden = world_hidden_hash(world) - world_visits_hash(world) -
+	               targets_hash(&made->targets, targets_all(&made->targets));
 	read_settings(world, made);
 	size_t kinematics = (size_t)world->kinematic_count;
 	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));
@@ -170,6 +183,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 		memcpy(made->kinematics, world->kinematics, sizeof(int) * kinematics);
 	TRY(visits_read(world, function, &made->visits));
 	TRY(read_pools(world, function, made));
+	TRY(read_fields(world, function, made));
 	leave_places(made);
 	return chains_find(world, &made->chains, &made->chain_memory);
 }
@@ -202,13 +216,16 @@ Bay template_bay(const Template* from, int number)
 	             .number = number,
 	             .path_sample = from->first_sample,
 	             .joints = from->joints,
-	             .sleep_threshold = from->request.sleep ? from->request.sleep_threshold : -1.0f};
+	             .sleep_threshold = from->request.sleep ? from->request.sleep_threshold : -1.0f,
+	             .field = from->first_field,
+	             .fields = from->count[POOL_field]};
 }
 
-void template_shift(Template* made, int first, int sample, int table)
+void template_shift(Template* made, int first, int sample, int field, int table)
 {
 	made->first_attribute = first;
 	made->first_sample = sample;
+	made->first_field = field;
 	made->material_table = table;
 	for (int k = 0; k < made->attributes; ++k)
 		made->image.rule[k].material += table * MATERIALS;
@@ -227,5 +244,6 @@ void template_close(Template* made)
 	scree_release(made->chain_memory);
 	scree_release(made->kinematics);
 	visits_close(&made->visits);
+	scree_release(made->targets.items);
 	*made = (Template){.bodies = 0};
 }

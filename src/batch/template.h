@@ -2,6 +2,7 @@
 // template.h -- reads a world as the template of worlds of a batch, into host memory.
 #ifndef BATCH_TEMPLATE_H
 #define BATCH_TEMPLATE_H
+#include "batch/template_targets.h"
 #include "batch/visit_bits.h"
 #include "world/chain/chain_search.h"
 #include "world/world.h"
@@ -12,16 +13,17 @@ typedef struct
 	Pools image;           // the lasting items of the world, and free slots; indices are those within the world
 	int count[POOL_COUNT]; // number of items of each pool
 	int bodies, collidables, contacts, joints, attributes; // numbers of slots in use
-	int first_attribute, first_sample; // indices of its first attribute and path sample in the pools of a batch
-	int material_table;                // number of its table of pairs of materials; 0, an empty one, if it has none
-	Pipeline pipeline;                 // flags, counters and constants of the last step; owns no memory
-	StepRequest request;               // settings of a step; without arrays
-	uint64_t hidden;                   // the part of the hash that only the host has, without visits to sensors
-	ChainSearch chains;                // chains and branches
+	int first_attribute, first_sample, first_field; // indices of its first items of these kinds in the pools of a batch
+	int material_table;  // number of its table of pairs of materials; 0, an empty one, if it has none
+	Pipeline pipeline;   // flags, counters and constants of the last step; owns no memory
+	StepRequest request; // settings of a step; without arrays
+	uint64_t hidden;     // the part of the hash that only the host has, without visits to sensors and pending targets
+	ChainSearch chains;  // chains and branches
 	char* chain_memory;
 	int* kinematics; // indices of the kinematic bodies
 	VisitBits visits;
-	uint64_t fingerprint; // fingerprint_of; 0 before a batch or an insertion sets it
+	TemplateTargets targets; // pending targets
+	uint64_t fingerprint;    // fingerprint_of; 0 before a batch or an insertion sets it
 } Template;
 
 // Reads a world. function, number: name of the caller, and index of the world among its templates, for messages; ALONE:
@@ -35,8 +37,9 @@ BayState template_state(const Template* from);
 Bay template_bay(const Template* from, int number);
 void template_close(Template* made);
 
-// Numbers the attributes of the image from `first` on, and its path samples from `sample` on. table: its material_table.
-void template_shift(Template* made, int first, int sample, int table);
+// Numbers the attributes of the image from `first` on, its path samples from `sample` on, and its fields from `field` on.
+// table: its material_table.
+void template_shift(Template* made, int first, int sample, int field, int table);
 
 // Returns the address of item `first` of a pool of the image.
 void* template_item(const Template* from, PoolId pool, int first);

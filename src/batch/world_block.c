@@ -5,6 +5,7 @@
 #include "batch/block_gravity.h"
 #include "batch/block_places.h"
 #include "batch/block_pools.h"
+#include "batch/block_targets.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
 #include "step/constants.h"
@@ -43,10 +44,14 @@ static void add_flags(Pipeline* p, const Pipeline* from)
 }
 
 scree_status block_open(Block* block, Backend* backend, const Template* templates, int count, const int* template_of,
-                        int first, int worlds, int contact_limit)
+                        const WorldOrder* order, int first, int worlds, int contact_limit)
 {
-	*block = (Block){
-	    .backend = backend, .templates = templates, .template_of = template_of, .first = first, .worlds = worlds};
+	*block = (Block){.backend = backend,
+	                 .templates = templates,
+	                 .template_of = template_of,
+	                 .order = order,
+	                 .first = first,
+	                 .worlds = worlds};
 	block->template_count = count;
 	block->spare_of = scree_allocate(sizeof(int) * (size_t)count);
 	block->kinematics = scree_allocate(sizeof(int) * (size_t)(KINEMATIC_FEW + 1));
@@ -58,7 +63,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 	memset(block->spare_of, -1, sizeof(int) * (size_t)count);
 	for (int k = 0; k < worlds; ++k)
 	{
-		int t = template_of[first + k];
+		int t = block_number(block, k);
 		const Template* from = templates + t;
 		if (block->spare_of[t] < 0)
 			block->spare_of[t] = worlds + sizes.spares++;
@@ -68,10 +73,11 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		sizes.joints = larger(sizes.joints, from->joints);
 		sizes.sensors = larger(sizes.sensors, from->visits.count);
 	}
+	TRY(block_targets_open(block));
 	Pipeline* p = &block->pipeline;
 	TRY(pipeline_open(p, backend, 0, 0));
-	p->step = templates[template_of[first]].pipeline.step;
-	block->request = templates[template_of[first]].request;
+	p->step = block_template(block, 0)->pipeline.step;
+	block->request = block_template(block, 0)->request;
 	for (int t = 0; t < count; ++t)
 	{
 		if (block->spare_of[t] < 0)
@@ -103,6 +109,7 @@ void block_close(Block* block)
 	scree_release(block->kinematics);
 	scree_release(block->spare_of);
 	block_places_close(block);
+	block_targets_close(block);
 	scree_release(block->converted);
 	scree_release(block->gravity_rows);
 	*block = (Block){.first = 0};
@@ -118,13 +125,13 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 		return block_apply_reset(block, count);
 	}
 	for (int k = 0; k < block->worlds; ++k)
-		block->plan[k] = !mask || mask[block->first + k] ? PLAN_RESET : block_runs(block, k) ? 0 : PLAN_PAUSE;
+		block->plan[k] = !mask || mask[block_world(block, k)] ? PLAN_RESET : block_runs(block, k) ? 0 : PLAN_PAUSE;
 	TRY(block_arrange(block));
 	for (int k = 0; k < block->worlds; ++k)
 	{
 		if (!(block->plan[k] & PLAN_RESET))
 			continue;
-		block_add_copy(block, &count, block->spare_of[block->template_of[block->first + k]], block->bay_of[k], k);
+		block_add_copy(block, &count, block->spare_of[block_number(block, k)], block->bay_of[k], k);
 	}
 	TRY(block_wake(block, block->rows, NULL, count));
 	return block_apply_reset(block, count);
@@ -133,7 +140,7 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 scree_status block_pause(Block* block, const uint8_t* mask)
 {
 	for (int k = 0; k < block->worlds; ++k)
-		block->plan[k] = mask && mask[block->first + k] ? PLAN_PAUSE : 0;
+		block->plan[k] = mask && mask[block_world(block, k)] ? PLAN_PAUSE : 0;
 	return block_arrange(block);
 }
 
@@ -178,8 +185,11 @@ static scree_status step_once(Block* block, bool first)
 	while (p->live_bays > 0)
 	{
 		block_aim(block, first);
+		TRY(block_targets_request(block));
 		scree_status status = pipeline_step(p, &block->request);
 		block->visits_due |= status == SCREE_OK;
+		if (status == SCREE_OK)
+			block_targets_end(block);
 		if (status == SCREE_OK || !p->crowded)
 			return status;
 		p->counters.presses = presses; // an abandoned step has not counted them
@@ -202,6 +212,7 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 		return SCREE_OK;
 	TRY(block_gravity(block));
 	TRY(block_apply_inputs(block));
+	block_targets_replace(block);
 	for (int k = 0; k < steps; ++k)
 	{
 		if (k > 0)
@@ -214,13 +225,31 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 
 scree_status block_hash(Block* block, uint64_t* hashes)
 {
-	TRY(bays_hash(&block->pipeline, hashes + block->first));
-	for (int k = block->first; k < block->first + block->worlds; ++k)
-		hashes[k] += block->templates[block->template_of[k]].hidden;
-	return SCREE_OK;
+	uint64_t* own = block->order->world ? scree_allocate(sizeof *own * (size_t)block->worlds) : hashes + block->first;
+	if (!own)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the hashes of %d worlds", block->worlds);
+	scree_status status = bays_hash(&block->pipeline, own);
+	for (int row = 0; row < block->worlds && status == SCREE_OK; ++row)
+	{
+		const Template* from = block_template(block, row);
+		hashes[block_world(block, row)] =
+		    own[row] + from->hidden + targets_hash(&from->targets, block_targets_of(block, row));
+	}
+	if (block->order->world)
+		scree_release(own);
+	return status;
 }
 
 scree_status block_counters(Block* block, BayCounters* counters)
 {
-	return bays_counters(&block->pipeline, counters + block->first);
+	if (!block->order->world)
+		return bays_counters(&block->pipeline, counters + block->first);
+	BayCounters* own = scree_allocate(sizeof *own * (size_t)block->worlds);
+	if (!own)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the counters of %d worlds", block->worlds);
+	scree_status status = bays_counters(&block->pipeline, own);
+	for (int row = 0; row < block->worlds && status == SCREE_OK; ++row)
+		counters[block_world(block, row)] = own[row];
+	scree_release(own);
+	return status;
 }

@@ -19,7 +19,7 @@ enum // kinds of items of a row
 	ROW_KINDS
 };
 
-typedef struct // 160 bytes: the head of a row
+typedef struct // 176 bytes: the head of a row
 {
 	uint64_t magic;       // ROW_MAGIC
 	uint64_t version;     // row_version
@@ -32,6 +32,8 @@ typedef struct // 160 bytes: the head of a row
 	BayState state;
 	scree_vec gravity;    // m/s^2
 	int unused;           // 0
+	uint64_t targets;     // set of pending targets of its template (template_targets.h)
+	uint64_t target_hash; // targets_hash of this set
 } RowHead;
 
 #define ROW_MAGIC 0x776f726565726373u // "screerow"

@@ -37,6 +37,7 @@ typedef enum // kind of the items of a pool
 	PER_FOUND,         // result of a query
 	PER_MATERIAL_PAIR, // pair of materials
 	PER_FIELD,
+	PER_FIELD_SPOT,  // state of a field in a step; in a batch, one in each world
 	PER_FIELD_SHAPE, // collidable of a world with fields that act on shapes
 	PER_TREE,
 	PER_LEAF,

@@ -75,7 +75,7 @@ typedef struct // bays of the worlds of a batch (bays.h); zeros outside of a bat
 	float body_part, collidable_part; // 1 divided by the number of items of a bay
 } Bays;
 
-typedef struct // 32 bytes: numbers of items of a world of a batch
+typedef struct // 40 bytes: numbers of items of a world of a batch
 {
 	int bodies, collidables; // slots in use, up to the last one
 	int attribute;           // first attribute of its template
@@ -84,6 +84,7 @@ typedef struct // 32 bytes: numbers of items of a world of a batch
 	int path_sample;         // first sample of the paths of its template
 	int joints;              // joint slots in use
 	float sleep_threshold;   // m/s: as Step.sleep_threshold; below 0 in a world that does not sleep
+	int field, fields;       // first field of its template in the pool field, and their number
 } Bay;
 
 typedef struct // 80 bytes: values of a world of a batch that the counters have in a world alone, or the step

@@ -58,7 +58,7 @@ typedef struct // the request of a step
 	bool details;                 // contacts store details of the step for the user
 	bool reports;                 // some collidable reports touches or hits
 	float hit_speed, hit_impulse; // as Step.hit_speed, Step.hit_impulse
-	int fields;                   // number of active fields
+	int fields;                   // number of active fields; in a batch, of spots of a bay
 	bool field_shapes;            // some fields act on shapes
 	bool carried_fields;          // some fields move with bodies
 	bool sleep;                   // bodies may sleep

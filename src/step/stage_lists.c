@@ -271,6 +271,8 @@ static void list_field_boxes(Pipeline* pipeline, const StepRequest* request, int
 {
 	RunList* list = &pipeline->list;
 	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
+	if (pipeline->bays.worlds)
+		padded *= pipeline->live_bays;
 	runs_add(list, KERNEL_field_place, 0, padded, bound, fields);
 	if (fields > FIELD_FEW)
 		runs_add(list, KERNEL_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);

@@ -82,6 +82,7 @@ typedef struct // rows of inputs to check
 	const uint8_t* mask; // as in channels_check
 } InputCheck;
 
+// Checks as many rows as the block has worlds, in the order of the user.
 static scree_status check_block(Block* block, const void* context)
 {
 	const InputCheck* check = context;
@@ -118,7 +119,7 @@ static void warn_crowded(scree_batch* batch, const char* function)
 			    SCREE_LOG_WARNING,
 			    "%s: world %d was paused, because it would have more than %d contacts; there is no warning for "
 			    "further worlds, but scree_batch_counters.crowded",
-			    function, block->first + block->first_crowded, block->pipeline.bay_limit);
+			    function, block_world(block, block->first_crowded), block->pipeline.bay_limit);
 	}
 }
 

@@ -40,8 +40,22 @@ static scree_status check_worlds(const scree_batch* batch, const char* function,
 	return SCREE_OK;
 }
 
-// Returns the number of the block of a world. All blocks but the last have the same number of worlds.
-static int block_of(const scree_batch* batch, int world) { return world / batch->blocks[0].worlds; }
+// Returns the number of the block of a world. All blocks of a tuning but its last one have the same number of worlds.
+static int block_of(const scree_batch* batch, int world)
+{
+	int place = order_place(&batch->order, world), first = 0, end = batch->block_count;
+	if (batch->order.groups == 1)
+		return place / batch->blocks[0].worlds;
+	while (end - first > 1) // the block is one of `first` to end - 1
+	{
+		int middle = (first + end) / 2;
+		if (batch->blocks[middle].first <= place)
+			first = middle;
+		else
+			end = middle;
+	}
+	return first;
+}
 
 // Sorts the copies by block, with their order in each. Fails if `once` is set and a world occurs twice.
 static scree_status sort_copies(const scree_batch* batch, const int32_t* worlds, int count, bool once, RowWork* work,
@@ -194,9 +208,13 @@ static scree_status insert(scree_batch* batch, const char* function, int world, 
 		    SCREE_ERROR_INVALID,
 		    "%s: from has other settings, or other shapes, masses, joints or rules, than the template of world %d",
 		    function, world);
+	uint64_t targets;
+	if (!targets_find(&now->targets, &read->targets, &targets))
+		return fail(SCREE_ERROR_INVALID, "%s: from has pending targets that the template of world %d lacks", function,
+		            world);
 	char* row;
 	size_t bytes;
-	TRY(row_of_world(read, function, &row, &bytes));
+	TRY(row_of_world(read, targets, targets_hash(&now->targets, targets), function, &row, &bytes));
 	scree_status status = load_rows(batch, function, &world, 1, row, bytes);
 	scree_release(row);
 	return status;

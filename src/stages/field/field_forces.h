@@ -12,14 +12,21 @@
 #include "stages/edit/command.h"
 #include "stages/field/field_shape.h"
 
-// Computes the pose and the box of field i. argument: number of fields; the items after them get empty boxes.
+// Computes the pose and the box of a field. Item: its spot. argument: number of fields, in a batch of spots of a bay. The
+// spots after the fields of a world get empty boxes.
 KERNEL(field_place)
 {
 	Float4 box = box_empty();
-	if (i < p->argument)
+	int bay = BATCHED(p) ? i / p->argument : 0, index = i - bay * p->argument, fields = p->argument;
+	const GLOBAL Field* field = p->field + index;
+	if (BATCHED(p))
 	{
-		const GLOBAL Field* field = p->field + i;
-		FieldSample spot = field_sample_of(p, field);
+		field = field + p->bay[bay].field;
+		fields = p->bay[bay].fields;
+	}
+	if (index < fields)
+	{
+		FieldSample spot = field_sample_of(p, field, field_carrier(p, field, bay));
 		p->field_sample[i] = spot;
 		if (field->shape.count == 0)
 			box = make_float4(EMPTY_HIGH, EMPTY_HIGH, EMPTY_LOW, EMPTY_LOW); // contains every point
@@ -71,12 +78,13 @@ INLINE int field_sees_body(const Pools* p, const GLOBAL Field* field, int body)
 	return 0;
 }
 
-INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldForce* sum)
+// own: index of the body within its bay.
+INLINE void field_act_body(const Pools* p, int body, int own, const GLOBAL Field* field,
+                           const GLOBAL FieldSample* sample, Vec at, FieldForce* sum)
 {
-	const GLOBAL Field* field = p->field + index;
-	if (field->kind >= FIELD_WIND || field->body == body)
+	if (field->kind >= FIELD_WIND || field->body == own)
 		return;
-	FieldSample spot = p->field_sample[index];
+	FieldSample spot = *sample;
 	if (!field_holds(field, &spot, at) || !field_sees_body(p, field, body))
 		return;
 	BodyState state = p->body[body];
@@ -111,25 +119,27 @@ INLINE int field_carried(const Pools* p, int carrier)
 }
 
 // Wakes sleeping body i if a collidable of it is in the region of a field that moves with a body. argument: number of
-// fields.
+// fields, in a batch of spots of a bay.
 KERNEL(field_wake)
 {
 	if (p->sleep[i] == 0)
 		return;
+	int bay = bay_of_body(p, i);
 	for (int k = p->continuous_body[i].first; k > 0; k = p->next_collidable[k - 1])
 	{
-		FieldTraversal traversal = field_traverse(p->argument, p->box[k - 1]);
-		for (int field = field_next(p, &traversal); field >= 0; field = field_next(p, &traversal))
+		FieldTraversal traversal = field_traverse(p, bay, p->argument, p->box[k - 1]);
+		for (int spot = field_next(p, &traversal); spot >= 0; spot = field_next(p, &traversal))
 		{
-			int carrier = p->field[field].body;
-			if (carrier >= 0 && carrier != i && field_carried(p, carrier) &&
-			    field_sees(p->field + field, p->filter + k - 1))
+			const GLOBAL Field* field = p->field + (spot + traversal.fields);
+			int carrier = field_carrier(p, field, bay);
+			if (carrier >= 0 && carrier != i && field_carried(p, carrier) && field_sees(field, p->filter + k - 1))
 				island_wake(p, i, WAKE_WORLD);
 		}
 	}
 }
 
-// Adds the forces of fields on body i to the user's forces. argument: 1 if fields act on shapes, and number of fields.
+// Adds the forces of fields on body i to the user's forces. argument: 1 if fields act on shapes, and number of fields, in a
+// batch of spots of a bay.
 KERNEL(field_body)
 {
 	i = active_item(p, GROUPS_OF_BODIES, i);
@@ -140,9 +150,12 @@ KERNEL(field_body)
 		if (p->collidable_kind[k - 1] == KIND_DYNAMIC)
 			field_add(&sum, p->field_force[k - 1]);
 	Float4 pose = field_body_pose(p, i);
-	FieldTraversal traversal = field_traverse(RUN_HIGH(p->argument), make_float4(pose.x, pose.y, pose.x, pose.y));
-	for (int field = field_next(p, &traversal); field >= 0; field = field_next(p, &traversal))
-		field_act_body(p, i, field, vec(pose.x, pose.y), &sum);
+	int bay = bay_of_body(p, i), own = i - bay * p->step.bays.bodies;
+	FieldTraversal traversal =
+	    field_traverse(p, bay, RUN_HIGH(p->argument), make_float4(pose.x, pose.y, pose.x, pose.y));
+	for (int spot = field_next(p, &traversal); spot >= 0; spot = field_next(p, &traversal))
+		field_act_body(p, i, own, p->field + (spot + traversal.fields), p->field_sample + spot, vec(pose.x, pose.y),
+		               &sum);
 	field_soften(p, i, &sum);
 	command_force(p, i, vec(field_limited(sum.fx + sum.drag_x), field_limited(sum.fy + sum.drag_y)),
 	              field_limited(sum.torque + sum.drag_torque));

@@ -168,19 +168,21 @@ INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSa
 	field_brake_spin(sum, field->linear_drag * part.area * square, spot->w - t->w);
 }
 
-INLINE void field_act_shape(const Pools* p, int collidable, int body, int index, const FieldTarget* t, FieldForce* sum)
+// own: index of the body within its bay.
+INLINE void field_act_shape(const Pools* p, int collidable, int body, int own, const GLOBAL Field* field,
+                            const GLOBAL FieldSample* sample, const FieldTarget* t, FieldForce* sum)
 {
-	const GLOBAL Field* field = p->field + index;
-	if (field->kind < FIELD_WIND || field->body == body || (!field->all && !field_sees(field, p->filter + collidable)))
+	if (field->kind < FIELD_WIND || field->body == own || (!field->all && !field_sees(field, p->filter + collidable)))
 		return;
-	FieldSample spot = p->field_sample[index];
+	FieldSample spot = *sample;
 	if (field->kind == FIELD_WIND)
 		field_blow(field, &spot, t, sum);
 	else
 		field_float(p, field, &spot, body, t, sum);
 }
 
-// Item: a collidable. Sums the forces of fields on its shape. argument: number of fields, without the padding.
+// Item: a collidable. Sums the forces of fields on its shape. argument: number of fields, without the padding; in a batch, of
+// spots of a bay.
 KERNEL(field_shape)
 {
 	// the run may have the bound of an early solve
@@ -200,9 +202,10 @@ KERNEL(field_shape)
 	float reach = t.shape->reach;
 	Float4 box = make_float4(pose.x - reach, pose.y - reach, pose.x + reach, pose.y + reach);
 	FieldForce sum = field_nothing();
-	FieldTraversal traversal = field_traverse(p->argument, box);
-	for (int field = field_next(p, &traversal); field >= 0; field = field_next(p, &traversal))
-		field_act_shape(p, i, body, field, &t, &sum);
+	int bay = bay_of_body(p, body), own = body - bay * p->step.bays.bodies;
+	FieldTraversal traversal = field_traverse(p, bay, p->argument, box);
+	for (int spot = field_next(p, &traversal); spot >= 0; spot = field_next(p, &traversal))
+		field_act_shape(p, i, body, own, p->field + (spot + traversal.fields), p->field_sample + spot, &t, &sum);
 	p->field_force[i] = sum;
 }
 

@@ -8,7 +8,7 @@
 // Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: Stoermer and Verlet.
 #ifndef FIELD_SUM_H
 #define FIELD_SUM_H
-#include "pools/pools.h"
+#include "pools/bays.h"
 #include "stages/broad_phase/transform.h"
 
 #define FIELD_MOST 1.0e35f // N or N m: limit of each force component and of the torque of all fields on a body
@@ -36,18 +36,25 @@ INLINE Float4 field_body_point(const Pools* p, int body, Float4 own, Vec* arm)
 	return make_float4(pose.x + arm->x, pose.y + arm->y, rotation.x, rotation.y);
 }
 
-INLINE FieldSample field_sample_of(const Pools* p, const GLOBAL Field* field)
+// Returns the body that carries a field in the world of a bay, -1 for none.
+INLINE int field_carrier(const Pools* p, const GLOBAL Field* field, int bay)
+{
+	return field->body < 0 ? -1 : bay * p->step.bays.bodies + field->body;
+}
+
+// carrier: body that carries the field, -1 for none.
+INLINE FieldSample field_sample_of(const Pools* p, const GLOBAL Field* field, int carrier)
 {
 	FieldSample spot = {field->pose, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, {0.0f, 0.0f, 0.0f}};
-	if (field->body >= 0)
+	if (carrier >= 0)
 	{
 		Vec arm;
-		spot.pose = field_body_point(p, field->body, field->pose, &arm);
+		spot.pose = field_body_point(p, carrier, field->pose, &arm);
 		spot.center_x = -arm.x;
 		spot.center_y = -arm.y;
-		spot.vx = p->body[field->body].vx;
-		spot.vy = p->body[field->body].vy;
-		spot.w = p->body[field->body].w;
+		spot.vx = p->body[carrier].vx;
+		spot.vy = p->body[carrier].vy;
+		spot.w = p->body[carrier].w;
 	}
 	return spot;
 }
@@ -93,15 +100,23 @@ INLINE int field_sees(const GLOBAL Field* field, const GLOBAL Filter* filter)
 typedef struct // state of a loop over the fields whose boxes overlap `box`, by rising index
 {
 	Float4 box;
-	int count;        // number of fields
+	int count;        // number of fields; in a batch, of spots of a bay
+	int fields;       // number to add to a spot to get the field
+	int begin;        // first group of ARITY spots of the world
 	int next;         // next block to test: of ARITY boxes or, with more than FIELD_FEW fields, of ARITY groups
 	int group, first; // first group of the current block of groups; first box of the current block of boxes
 	Word groups, hits;
 } FieldTraversal;
 
-INLINE FieldTraversal field_traverse(int count, Float4 box)
+// bay: bay of the world. count: as FieldTraversal.count.
+INLINE FieldTraversal field_traverse(const Pools* p, int bay, int count, Float4 box)
 {
-	FieldTraversal traversal = {box, count, 0, 0, 0, 0u, 0u};
+	FieldTraversal traversal = {box, count, 0, 0, 0, 0, 0, 0u, 0u};
+	if (BATCHED(p))
+	{
+		traversal.fields = p->bay[bay].field - bay * count;
+		traversal.begin = bay * (count / ARITY);
+	}
 	return traversal;
 }
 
@@ -115,7 +130,7 @@ INLINE int field_take(Word* bits)
 	return k;
 }
 
-// Returns the index of the next field, -1 after the last one.
+// Returns the spot of the next field, -1 after the last one. Outside of a batch, this is the index of the field.
 INLINE int field_next(const Pools* p, FieldTraversal* w)
 {
 	int few = w->count <= FIELD_FEW, step = few ? ARITY : ARITY * ARITY;
@@ -125,7 +140,7 @@ INLINE int field_next(const Pools* p, FieldTraversal* w)
 		{
 			if (w->next * step >= w->count)
 				return -1;
-			w->group = few ? w->next : ARITY * w->next;
+			w->group = w->begin + (few ? w->next : ARITY * w->next);
 			w->groups = few ? 1u : overlaps8(p->field_group + w->group, w->box);
 			++w->next;
 			continue;

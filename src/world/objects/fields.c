@@ -154,7 +154,8 @@ scree_status upload_fields(scree_world* world)
 		count += acts(world, k);
 	if (count > 0)
 	{
-		TRY(pipeline_reserve(&world->pipeline, PER_FIELD, (count + ARITY - 1) / ARITY * ARITY));
+		TRY(pipeline_reserve(&world->pipeline, PER_FIELD, count));
+		TRY(pipeline_reserve(&world->pipeline, PER_FIELD_SPOT, (count + ARITY - 1) / ARITY * ARITY));
 		Field* rows = world_scratch(world, (size_t)count * (sizeof *rows + sizeof(ActiveField)));
 		if (!rows)
 			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to upload %d fields", count);

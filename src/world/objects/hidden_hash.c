@@ -33,6 +33,7 @@ static Word64 hash_own_mass(int body, scree_mass mass)
 	                   make_float4(mass.mass, mass.inertia, mass.center.x, mass.center.y));
 }
 
+uint64_t target_hash(int body, scree_pose pose) { return hash_pose(hash_begin(HASH_TARGET, body), pose); }
 uint64_t world_visits_hash(const scree_world* world)
 {
 	Word64 sum = 0;
@@ -46,7 +47,7 @@ uint64_t world_hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;
 	for (int k = 0; k < world->target_count; ++k)
-		sum += hash_pose(hash_begin(HASH_TARGET, world->targets[k].body), world->targets[k].pose);
+		sum += target_hash(world->targets[k].body, world->targets[k].pose);
 	for (int k = 0; k < world->bodies.used && world->disabled_bodies > 0; ++k)
 		if (slots_in_use(&world->bodies, k) && world->host_bodies[k].disabled)
 			sum += hash_disabled(world, k);
