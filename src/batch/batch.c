@@ -123,6 +123,24 @@ static int block_worlds(const scree_batch* batch, int workers)
 	return worlds < share ? worlds : share;
 }
 
+typedef struct // settings with which the blocks of a batch are opened
+{
+	scree_batch* batch;
+	const scree_batch_def* def;
+	int worlds, threads; // worlds of a block, threads of its device
+} BlockPlan;
+
+static scree_status open_block(Block* block, const void* context)
+{
+	const BlockPlan* plan = context;
+	const scree_batch* batch = plan->batch;
+	int first = (int)(block - batch->blocks) * plan->worlds, left = batch->worlds - first;
+	Backend* backend;
+	TRY(open_device(plan->def, plan->threads, &backend));
+	return block_open(block, backend, batch->templates, batch->template_count, batch->template_of, first,
+	                  left < plan->worlds ? left : plan->worlds, plan->def->contact_limit);
+}
+
 static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, const char* function)
 {
 	bool cpu = strcmp(def->device, "cpu") == 0;
@@ -134,22 +152,15 @@ static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, 
 	batch->blocks = scree_allocate(sizeof *batch->blocks * (size_t)blocks);
 	if (!batch->blocks)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d blocks", function, blocks);
-	for (int k = 0; k < blocks; ++k)
-	{
-		int first = k * worlds, count = batch->worlds - first < worlds ? batch->worlds - first : worlds;
-		Backend* backend;
-		TRY(open_device(def, cpu ? 1 : def->threads, &backend));
-		batch->block_count = k + 1;
-		TRY(block_open(batch->blocks + k, backend, batch->templates, batch->template_count, batch->template_of, first,
-		               count, def->contact_limit));
-	}
+	batch->block_count = blocks;
 	if (blocks > 1 && workers > 1)
 	{
 		batch->threads = threads_open(workers < blocks ? workers : blocks, NULL);
 		if (!batch->threads)
 			return SCREE_ERROR_OUT_OF_MEMORY;
 	}
-	return SCREE_OK;
+	BlockPlan plan = {.batch = batch, .def = def, .worlds = worlds, .threads = cpu ? 1 : def->threads};
+	return batch_each(batch, open_block, &plan);
 }
 
 scree_status batch_create(const scree_batch_def* def, const char* function, scree_batch** batch)

@@ -42,6 +42,18 @@ static void add_flags(Pipeline* p, const Pipeline* from)
 	p->continuous_reach = from->continuous_reach > p->continuous_reach ? from->continuous_reach : p->continuous_reach;
 }
 
+// Opens the pipeline with room for all bays, so that its pools need not grow at once.
+static scree_status open_pools(Pipeline* p, Backend* backend, const BaySizes* sizes)
+{
+	int64_t bays = (int64_t)sizes->worlds + sizes->spares, contacts = 1;
+	while (contacts < sizes->contacts)
+		contacts *= 2;
+	int64_t bodies = bays * larger(sizes->bodies, sizes->collidables) + GROUP_ITEMS;
+	contacts = bays * contacts + GROUP_ITEMS;
+	bool fits = bodies <= MAX_ITEMS / 2 && contacts <= MAX_CONTACTS / 2; // else bays_open fails
+	return pipeline_open(p, backend, fits ? (int)bodies : 0, fits ? (int)contacts : 0);
+}
+
 scree_status block_open(Block* block, Backend* backend, const Template* templates, int count, const int* template_of,
                         int first, int worlds, int contact_limit)
 {
@@ -67,8 +79,12 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		sizes.contacts = larger(sizes.contacts, from->contacts);
 		sizes.joints = larger(sizes.joints, from->joints);
 	}
+	block->stage = worlds + sizes.spares;
+	block->stages = worlds < STAGE_SHARE ? 1 : worlds / STAGE_SHARE < STAGES_MOST ? worlds / STAGE_SHARE : STAGES_MOST;
+	sizes.spares += block->stages;
+	block->empty = worlds + sizes.spares++;
 	Pipeline* p = &block->pipeline;
-	TRY(pipeline_open(p, backend, 0, 0));
+	TRY(open_pools(p, backend, &sizes));
 	p->step = templates[template_of[first]].pipeline.step;
 	block->request = templates[template_of[first]].request;
 	for (int t = 0; t < count; ++t)
@@ -80,10 +96,6 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		block->request.details |= templates[t].request.details;
 		block->request.reports |= templates[t].request.reports;
 	}
-	block->stage = worlds + sizes.spares;
-	block->stages = worlds < STAGE_SHARE ? 1 : worlds / STAGE_SHARE < STAGES_MOST ? worlds / STAGE_SHARE : STAGES_MOST;
-	sizes.spares += block->stages;
-	block->empty = worlds + sizes.spares++;
 	TRY(bays_open(p, &sizes));
 	block->request.contact_limit = 0;
 	block->request.kinematics = block->kinematics;
