@@ -98,7 +98,15 @@ void solve_list(const Solve* solve, RunList* list)
 		runs_add(list, KERNEL_branch_end, solve->chains, solve->chains + solve->branches, bound, 0);
 	if (solve->taut)
 		solve_slack(solve, list);
-	runs_add(list, KERNEL_finalize, 0, solve->bodies, solve->visited, 0);
+#ifndef SCREE_SMALL
+	if (solve->wide)
+	{
+		runs_add(list, KERNEL_finalize_wide, 0, solve->bodies, bound, 0);
+		runs_add(list, KERNEL_finalize, 0, solve->bodies, COUNT(listed_bodies), 1);
+	}
+	else
+#endif
+		runs_add(list, KERNEL_finalize, 0, solve->bodies, solve->visited, 0);
 	runs_add(list, KERNEL_continuous, 0, solve->collidables, COUNT(continuous_items), 0);
 	if (solve->rare[CONSTRAINT_JOINT])
 		runs_add(list, KERNEL_joint_finalize, 0, solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1], bound, 0);

@@ -134,6 +134,37 @@ static int count_blocks(const WorldOrder* order, int worlds)
 	return blocks;
 }
 
+// Sets the ranges of the blocks.
+static void divide(scree_batch* batch, int worlds)
+{
+	for (int k = 0, group = 0, first = 0; k < batch->block_count; ++k)
+	{
+		while (first == batch->order.end[group])
+			++group;
+		int rest = batch->order.end[group] - first, count = rest < worlds ? rest : worlds;
+		batch->blocks[k].first = first;
+		batch->blocks[k].worlds = count;
+		first += count;
+	}
+}
+
+typedef struct // settings with which the blocks of a batch are opened
+{
+	scree_batch* batch;
+	const scree_batch_def* def;
+	int threads; // of the device of a block
+} BlockPlan;
+
+static scree_status open_block(Block* block, const void* context)
+{
+	const BlockPlan* plan = context;
+	const scree_batch* batch = plan->batch;
+	Backend* backend;
+	TRY(open_device(plan->def, plan->threads, &backend));
+	return block_open(block, backend, batch->templates, batch->template_count, batch->template_of, &batch->order,
+	                  block->first, block->worlds, plan->def->contact_limit);
+}
+
 static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, const char* function)
 {
 	bool cpu = strcmp(def->device, "cpu") == 0;
@@ -144,25 +175,16 @@ static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, 
 	batch->blocks = scree_allocate(sizeof *batch->blocks * (size_t)blocks);
 	if (!batch->blocks)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d blocks", function, blocks);
-	for (int k = 0, group = 0, first = 0; k < blocks; ++k)
-	{
-		while (first == batch->order.end[group])
-			++group;
-		int rest = batch->order.end[group] - first, count = rest < worlds ? rest : worlds;
-		Backend* backend;
-		TRY(open_device(def, cpu ? 1 : def->threads, &backend));
-		batch->block_count = k + 1;
-		TRY(block_open(batch->blocks + k, backend, batch->templates, batch->template_count, batch->template_of,
-		               &batch->order, first, count, def->contact_limit));
-		first += count;
-	}
+	batch->block_count = blocks;
+	divide(batch, worlds);
 	if (blocks > 1 && workers > 1)
 	{
 		batch->threads = threads_open(workers < blocks ? workers : blocks, NULL);
 		if (!batch->threads)
 			return SCREE_ERROR_OUT_OF_MEMORY;
 	}
-	return SCREE_OK;
+	BlockPlan plan = {.batch = batch, .def = def, .threads = cpu ? 1 : def->threads};
+	return batch_each(batch, open_block, &plan);
 }
 
 scree_status batch_create(const scree_batch_def* def, const char* function, scree_batch** batch)

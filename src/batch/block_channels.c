@@ -74,6 +74,31 @@ static scree_status write_list(Block* block, int which, int templates)
 	return b->f->clear(b, POOL_column, list->column, block->worlds * set->columns);
 }
 
+// Returns a number of rows, rounded up to a multiple of MAX_LANES.
+static int padded(int rows) { return (rows + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
+
+// Returns whether outputs of joints can be written in lanes: all are angles or their speeds, of the same template.
+static bool has_angles_only(const Block* block)
+{
+	const ChannelSet* set = block->sets + CHANNELS_OUTPUTS;
+	int number = block->template_of[block->first];
+	const Template* from = block->templates + number;
+	if (block->backend->distant || block->backend->lanes == 1 || set->count == 0)
+		return false;
+	for (int t = 0; t < block->template_count; ++t)
+		if (block->spare_of[t] >= 0 && t != number)
+			return false;
+	for (int k = set->group[set->joint_group]; k < set->group[set->ray_group]; ++k)
+	{
+		const Channel* c = set->channels + number * set->count + k;
+		bool angle =
+		    c->which == JOINT_ANGLE && (c->kind == CHANNEL_GET_JOINT_VALUE || c->kind == CHANNEL_GET_JOINT_SPEED);
+		if (!angle || (int)from->image.joint_data[c->item].modes & (JOINT_COUPLED | JOINT_RAILED))
+			return false;
+	}
+	return set->ray_group > set->joint_group;
+}
+
 scree_status block_bind(Block* block, const ChannelSet* sets, int templates)
 {
 	Backend* b = block->backend;
@@ -81,6 +106,7 @@ scree_status block_bind(Block* block, const ChannelSet* sets, int templates)
 	int channels, groups;
 	int64_t columns;
 	block->sets = sets;
+	block->angles = has_angles_only(block);
 	lay_out(block, templates, &channels, &groups, &columns);
 	if (columns > INT32_MAX / 4)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%lld inputs and outputs of a batch are too many", (long long)columns);
@@ -188,7 +214,11 @@ scree_status block_write_outputs(Block* block)
 		return SCREE_OK;
 	int rows = block->worlds, live = block->pipeline.live_bays;
 	TRY(run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, 0, live, 0, set->joint_group));
-	TRY(run_groups(block, KERNEL_channel_joint, CHANNELS_OUTPUTS, 0, live, set->joint_group, set->ray_group));
+	if (block->angles)
+		TRY(bays_run(&block->pipeline, KERNEL_channel_angles, set->joint_group * padded(live),
+		             set->ray_group * padded(live), RUN_PAIR(CHANNELS_OUTPUTS, live)));
+	else
+		TRY(run_groups(block, KERNEL_channel_joint, CHANNELS_OUTPUTS, 0, live, set->joint_group, set->ray_group));
 	TRY(run_groups(block, KERNEL_channel_ray, CHANNELS_OUTPUTS, 0, live, set->ray_group, set->groups));
 	bool converted = converts(block, set);
 	float* to = converted ? block->converted : memory_of(block, CHANNELS_OUTPUTS, 0);

@@ -43,6 +43,18 @@ static void add_flags(Pipeline* p, const Pipeline* from)
 	p->continuous_reach = from->continuous_reach > p->continuous_reach ? from->continuous_reach : p->continuous_reach;
 }
 
+// Opens the pipeline with room for all bays, so that its pools need not grow at once.
+static scree_status open_pools(Pipeline* p, Backend* backend, const BaySizes* sizes)
+{
+	int64_t bays = (int64_t)sizes->worlds + sizes->spares, contacts = 1;
+	while (contacts < sizes->contacts)
+		contacts *= 2;
+	int64_t bodies = bays * larger(sizes->bodies, sizes->collidables) + GROUP_ITEMS;
+	contacts = bays * contacts + GROUP_ITEMS;
+	bool fits = bodies <= MAX_ITEMS / 2 && contacts <= MAX_CONTACTS / 2; // else bays_open fails
+	return pipeline_open(p, backend, fits ? (int)bodies : 0, fits ? (int)contacts : 0);
+}
+
 scree_status block_open(Block* block, Backend* backend, const Template* templates, int count, const int* template_of,
                         const WorldOrder* order, int first, int worlds, int contact_limit)
 {
@@ -74,8 +86,12 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		sizes.sensors = larger(sizes.sensors, from->visits.count);
 	}
 	TRY(block_targets_open(block));
+	block->stage = worlds + sizes.spares;
+	block->stages = worlds < STAGE_SHARE ? 1 : worlds / STAGE_SHARE < STAGES_MOST ? worlds / STAGE_SHARE : STAGES_MOST;
+	sizes.spares += block->stages;
+	block->empty = worlds + sizes.spares++;
 	Pipeline* p = &block->pipeline;
-	TRY(pipeline_open(p, backend, 0, 0));
+	TRY(open_pools(p, backend, &sizes));
 	p->step = block_template(block, 0)->pipeline.step;
 	block->request = block_template(block, 0)->request;
 	for (int t = 0; t < count; ++t)
@@ -88,10 +104,6 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		block->request.reports |= templates[t].request.reports;
 		block->request.sleep |= templates[t].request.sleep;
 	}
-	block->stage = worlds + sizes.spares;
-	block->stages = worlds < STAGE_SHARE ? 1 : worlds / STAGE_SHARE < STAGES_MOST ? worlds / STAGE_SHARE : STAGES_MOST;
-	sizes.spares += block->stages;
-	block->empty = worlds + sizes.spares++;
 	p->sleeps = block->request.sleep;
 	TRY(bays_open(p, &sizes));
 	block->request.contact_limit = 0;

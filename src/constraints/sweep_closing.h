@@ -74,10 +74,11 @@ INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + quoti
 // Returns a velocity limited to max_speed; 0 for a velocity that is not finite, because its body will be frozen.
 INLINE Vec sweep_velocity(const Step* step, Vec v)
 {
-	if (!lane_bits((vec_dot(v, v) <= splat(step->max_speed * step->max_speed)) == 0))
+	Int slow = vec_dot(v, v) <= splat(step->max_speed * step->max_speed);
+	if (!lane_bits(slow == 0))
 		return v;
-	v = vec_flush_tiny(vec_limit(v, step->max_speed));
-	return vec(number_of(v.x), number_of(v.y));
+	Vec limited = vec_flush_tiny(vec_limit(v, step->max_speed));
+	return vec_blend(vec(number_of(limited.x), number_of(limited.y)), v, slow);
 }
 
 INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)

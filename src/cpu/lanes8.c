@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // lanes8.c -- compiles the wide kernels for eight items per call: AVX2 on x86.
 #define LANES 8
+#include "stages/batch/bay_leaf.h"
+#include "stages/batch/channel_angles.h"
+#include "stages/broad_phase/transform_wide.h"
+#include "stages/finalize/finalize_wide.h"
 #include "stages/narrow_phase/manifold_reuse.h"
 #include "stages/save/saved_collidables.h"
 #include "stages/save/saved_contact.h"

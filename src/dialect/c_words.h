@@ -150,6 +150,24 @@ INLINE void scatter_rows4(float* base, int index, const float in[4], int wanted)
 		}                                                                                                            \
 	}                                                                                                                \
 	INLINE int name##_listed(const Pools* p, int i)
+// WIDE_LIST_KERNEL(name, list, length): as LIST_KERNEL for several lanes. The code stores the items in `found` and
+// returns their number.
+#define WIDE_LIST_KERNEL(name, list, length)                                                                         \
+	INLINE int name##_listed(const Pools* p, int i, int* found);                                                     \
+	static void KERNEL_JOIN(name, LANES)(const Pools* p, int begin, int end)                                         \
+	{                                                                                                                \
+		int found[CHUNK_ITEMS], count = 0;                                                                           \
+		for (int i = begin; i < end; i += LANES)                                                                     \
+		{                                                                                                            \
+			count += name##_listed(p, i, found + count);                                                             \
+			if (count <= CHUNK_ITEMS - LANES && i + LANES < end)                                                     \
+				continue;                                                                                            \
+			if (count > 0)                                                                                           \
+				memcpy(p->list + atomic_add_int(&p->counters->length, count), found, (size_t)count * sizeof *found); \
+			count = 0;                                                                                               \
+		}                                                                                                            \
+	}                                                                                                                \
+	INLINE int name##_listed(const Pools* p, int i, int* found)
 #define GROUP_KERNEL(name)                                                   \
 	INLINE void name##_group(const Pools* p, int i, float* bench);           \
 	static void KERNEL_JOIN(name, LANES)(const Pools* p, int begin, int end) \

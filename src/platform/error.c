@@ -24,6 +24,10 @@
 #define HUGE_BLOCK ((size_t)4 << 20)
 #define HUGE_PAGE  ((size_t)2 << 20)
 
+// Minimum size of a block, below HUGE_BLOCK, that is requested as zeroed memory, bytes. The system maps such a block, and
+// pages that nobody writes take no memory and no time: the creation of many worlds on a CPU writes half of its pools.
+#define ZERO_BLOCK ((size_t)4 << 10)
+
 static _Thread_local char sentence[SENTENCE_BYTES];
 static atomic_size_t memory_in_use;
 static atomic_int worlds;
@@ -46,6 +50,28 @@ static void* default_allocate(size_t bytes, size_t alignment, void* context)
 #endif
 	return aligned_alloc(alignment, bytes);
 #endif
+}
+
+// Returns zeroed memory of the default allocator, aligned, and the block that contains it; null for sizes that are not
+// requested in this way, or if there is no memory.
+static void* zeroed(size_t bytes, void** block)
+{
+#ifdef _WIN32
+	(void)bytes, (void)block;
+	return NULL;
+#else
+	if (bytes < ZERO_BLOCK || bytes >= HUGE_BLOCK)
+		return NULL;
+	char* memory = *block = calloc(1, bytes + ALIGNMENT);
+	return memory ? memory + (ALIGNMENT - (uintptr_t)memory % ALIGNMENT) % ALIGNMENT : NULL;
+#endif
+}
+
+// Releases memory of the function above. context: the block.
+static void release_block(void* memory, void* context)
+{
+	(void)memory;
+	free(context);
 }
 
 static void default_release(void* memory, void* context)
@@ -178,14 +204,19 @@ void* scree_allocate(size_t bytes)
 	if (bytes > SIZE_MAX - 2 * ALIGNMENT)
 		return NULL;
 	size_t all = (sizeof(Header) + bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-	Header* header = hooks.allocate(all, ALIGNMENT, hooks.context);
+	void* block = NULL;
+	Header* header = hooks.allocate == default_allocate ? zeroed(all, &block) : NULL;
 	if (!header)
-		return NULL;
-	ASSERT((uintptr_t)header % ALIGNMENT == 0);
-	memset(header, 0, all);
+	{
+		header = hooks.allocate(all, ALIGNMENT, hooks.context);
+		if (!header)
+			return NULL;
+		ASSERT((uintptr_t)header % ALIGNMENT == 0);
+		memset(header, 0, all);
+	}
 	header->bytes = all;
-	header->release = hooks.release;
-	header->context = hooks.context;
+	header->release = block ? release_block : hooks.release;
+	header->context = block ? block : hooks.context;
 	atomic_fetch_add(&memory_in_use, all);
 	return header + 1;
 }

@@ -87,6 +87,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	// that cannot move has a large gap
 	int press[2];
 	int continuous_items; // number of items of the kernel continuous: parts of fast bodies, and pressed bodies
+	int listed_bodies;    // number of bodies of a batch that finalize_wide leaves to finalize
 	int held;             // number of bodies that continuous collision stopped
 	int joint_moved;      // 1 if some joint is new or got another spot; joint_updated clears this
 	int joints_dirty;     // INT_MAX if a joint or an exclusion changed, or a joint broke, since the last step; else 0

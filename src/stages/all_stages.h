@@ -58,6 +58,10 @@ SMALL_BEGIN
 #include "stages/save/tidy.h"
 #ifndef SCREE_SMALL
 #include "stages/batch/bay_hash.h"
+#include "stages/batch/bay_leaf.h"
+#include "stages/batch/layout_patch.h"
 #include "stages/batch/channel_output.h"
+#include "stages/batch/channel_angles.h"
+#include "stages/finalize/finalize_wide.h"
 #endif
 SMALL_END

@@ -54,6 +54,7 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	               .chain_places = pipeline->chain_places,
 	               .taut = pipeline->taut && c->layout[CONSTRAINT_JOINT].begin[COLORS] > 0,
 	               .batch = step->bays.worlds > 0,
+	               .wide = step->bays.worlds > 0 && !step->sleep && !b->distant && b->lanes > 1,
 	               .counters = c,
 	               .bound = bound,
 	               .visited = bound};

@@ -86,6 +86,19 @@ static bool tree_is_listed(const Pipeline* pipeline, const Step* step)
 	       (step->kinematic == 0 || state->movers);
 }
 
+// Returns whether the boxes of leaves are computed in lanes: in a batch on a CPU.
+static bool in_lanes(const Pipeline* pipeline) { return pipeline->bays.worlds && !pipeline->backend->distant; }
+
+// Lists the runs that compute all boxes of the tree of a batch on a CPU.
+static void list_bay_leaves(RunList* list, const TreeState* state, int count)
+{
+#ifndef SCREE_SMALL
+	list_tree(list, state, KERNEL_bay_leaf, KERNEL_tree_node, 0, count);
+#else
+	(void)list, (void)state, (void)count;
+#endif
+}
+
 // Lists the runs that compute the boxes of a tree. jumps: boxes may have jumped since its leaves were sorted, so the device
 // sorts them again if that pays.
 static void list_tree_boxes(Pipeline* pipeline, const Step* step, int t, bool jumps)
@@ -99,8 +112,11 @@ static void list_tree_boxes(Pipeline* pipeline, const Step* step, int t, bool ju
 	else if (jumps)
 		tree_order_jumped(list, state, t, 0);
 	// the static tree changes only if the user moved something in it, or the device sorted its leaves
-	if (!listed && (t == 0 || all || jumps))
-		tree_refit(list, state, t, all ? NO_COUNT : t == 0 ? COUNT(refit) : COUNT(order) + 1);
+	int count = all ? NO_COUNT : t == 0 ? COUNT(refit) : COUNT(order) + 1;
+	if (t == 0 && in_lanes(pipeline))
+		list_bay_leaves(list, state, count);
+	else if (!listed && (t == 0 || all || jumps))
+		tree_refit(list, state, t, count);
 	state->movers = step->kinematic > 0 && (!listed || state->movers);
 	state->placed = state->tree.leaves;
 	state->change = TREE_KEPT;
@@ -374,6 +390,23 @@ void list_layout(Pipeline* pipeline, int bodies, int colored)
 			lay_out(pipeline, kind, kind == CONSTRAINT_CONTACT ? bits : COLOR_BITS);
 }
 
+// Lists the runs that repair the layout of the worlds of a batch. colored: as in list_layout.
+static void list_patch(Pipeline* pipeline, int colored)
+{
+#ifndef SCREE_SMALL
+	static const int patches[] = {
+#define CONSTRAINT_KIND(kind, Kind, KIND) KERNEL_##kind##_patch,
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	};
+	for (int kind = 0; kind < CONSTRAINT_KINDS && pipeline->bays.worlds; ++kind)
+		if (kind_items(&pipeline->counters, kind) > 0)
+			runs_add(&pipeline->list, patches[kind], 0, 1, COUNT(changed), colored);
+#else
+	(void)pipeline, (void)colored;
+#endif
+}
+
 void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 {
 	RunList* list = &pipeline->list;
@@ -404,7 +437,11 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 	}
 	if (to > 0 || pipeline->skips)
 		runs_add(list, KERNEL_color_reset, 0, edges, COUNT(began), 0);
-	list_layout(pipeline, bodies, (to - 1) % MAX_ROUNDS + 1);
+	int colored = (to - 1) % MAX_ROUNDS + 1;
+	// later in a step, a layout that lacked places may have changed the ranges of colors; with sleep, contacts keep colors
+	if (from == 0 && rest && !pipeline->skips)
+		list_patch(pipeline, colored);
+	list_layout(pipeline, bodies, colored);
 	// each layout may move the rows of joints
 	if (pipeline->paths || pipeline->couplings)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);

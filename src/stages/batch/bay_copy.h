@@ -131,6 +131,8 @@ KERNEL(bay_copy_contact)
 	const Bays* bays = &p->step.bays;
 	int size = 1 << bays->contact_bits;
 	BayCopy c = bay_copy(p, i >> bays->contact_bits, i & (size - 1), size);
+	if (p->pair[c.from].x < 0 && p->pair[c.to].x < 0) // most slots are free
+		return;
 	int used = p->pair[c.to].x >= 0, color_before = p->contact_color[c.to], place_before = p->contact_place[c.to];
 	item_move(p, PER_CONTACT, c.to, c.from);
 	Int2 pair = p->pair[c.to], bodies = p->contact_bodies[c.to];

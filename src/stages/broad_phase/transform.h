@@ -4,12 +4,11 @@
 #define TRANSFORM_H
 #include "dialect/vec.h"
 #include "pools/bays.h"
+#include "stages/broad_phase/transform_grain.h"
 #include "stages/edit/active.h"
 #include "stages/edit/asleep.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
-
-#define REACH_SHARE 0.125f // factor of the reach before it is compared with the same sizes as the thickness
 
 KERNEL(step_begin)
 {
@@ -51,6 +50,7 @@ KERNEL(step_begin)
 	c->entered = 0;
 	c->rule_changes = 0;
 	c->continuous_items = 0;
+	c->listed_bodies = 0;
 	if (p->step.dt > 0.0f)
 	{
 		c->presses = !BATCHED(p) && ((c->press[0] && c->press[1]) || c->ways) ? 0x7fffffff : 0;
@@ -150,25 +150,6 @@ INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribut
 		box = box_union(box, make_float4(v.x, v.y, v.x, v.y));
 	}
 	return box_grow(box, attribute->radius + extra);
-}
-
-// Returns a mask: the bit of a level is set if 2^level times `length` is below GRAIN_SIZE / 2. length: m, from the
-// center of a shape; first: bit of level 0.
-INLINE int transform_bits(float length, int first)
-{
-	int bits = 0;
-	for (int level = 0; level < GRAIN_LEVELS; ++level, length = 2.0f * length)
-		bits |= length < 0.5f * GRAIN_SIZE ? first << level : 0;
-	return bits;
-}
-
-// Returns the COLLIDABLE_GRAIN and COLLIDABLE_REACH bits of a dynamic collidable. thickness: m, from the centroid to
-// the nearest side. A segment has no thickness and gets no bits, because other collidables come to rest on it.
-INLINE int transform_grains(float thickness, float reach)
-{
-	if (!(thickness < 0.5f * GRAIN_SIZE) || thickness == 0.0f)
-		return 0;
-	return transform_bits(thickness, COLLIDABLE_GRAIN) | transform_bits(REACH_SHARE * reach, COLLIDABLE_REACH);
 }
 
 // Returns COLLIDABLE_SHIFTED if static or kinematic collidable i moves, or the user moved or changed it since the last

@@ -129,7 +129,11 @@ INLINE void finalize_body(const Pools* p, int i)
 	}
 }
 
-KERNEL(finalize) { finalize_body(p, active_item(p, GROUPS_OF_BODIES, i)); }
+// argument: 1 for the bodies that finalize_wide has listed, else 0.
+KERNEL(finalize)
+{
+	finalize_body(p, BATCHED(p) && p->argument ? p->moved_bodies[i] : active_item(p, GROUPS_OF_BODIES, i));
+}
 
 // Item: a part of a body that moves far, or a pressed body. Moves the body until something obstructs it. A pressed body
 // then slides along the obstacle and completes its rotation, or only slides. A body of one part slides too if the world

@@ -13,6 +13,8 @@
 
 #define POSE_EDGE 1.0e8f // m: largest coordinate, at which bodies stop; every product of two lengths up to it is finite
 
+#if LANES == 1 // finalize_wide.h has these functions for several lanes
+
 // Returns a + b, limited to POSE_EDGE. *lack: exact sum minus the rounded sum; 0 if the sum is limited.
 INLINE float pose_sum(float a, float b, float* lack)
 {
@@ -34,5 +36,7 @@ INLINE void pose_move(const Pools* p, int i, Vec d, Vec rotation)
 	p->pose[i] = make_float4(x, y, rotation.x, rotation.y);
 	p->pose_low[i] = make_float2(lack_x, lack_y);
 }
+
+#endif
 
 #endif

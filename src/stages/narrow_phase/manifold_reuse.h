@@ -131,6 +131,8 @@ WIDE_KERNEL(narrow_phase_keep)
 	Int flags = load_int(p->contact_flags, i), ia, ib;
 	load_int2(p->pair, i, &ia, &ib);
 	Word there = lane_bits((ia >= 0) & (indices(i) < live)), apart = lane_bits((flags & (int)CONTACT_APART) != 0);
+	if (there == 0)
+		return;
 	ia = ia & ~(ia >> 31);
 	ib = ib & ~(ib >> 31);
 	Int moved = gather_int(p->collidable_flags, ia) | gather_int(p->collidable_flags, ib);
