@@ -266,6 +266,7 @@ static void bad_arguments_are_refused(void** state)
 	REFUSED(scree_batch_create(&def, &batch), "lanes is 3, but must be 0, 1, 4, 8 or 16");
 	def.lanes = 0;
 	def.templates = &sleeper;
+	scree_tuning tuning;
 	OK(scree_world_step(sleeper, STEP, 4));
 	OK(scree_world_get_tuning(sleeper, &tuning));
 	tuning.sleep = false;
