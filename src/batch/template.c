@@ -181,7 +181,8 @@ BayState template_state(const Template* from)
 	                  .penetration = c->penetration,
 	                  .joint_gap = c->joint_gap,
 	                  .nonfinite = c->nonfinite,
-	                  .substep = from->pipeline.step.h};
+	                  .substep = from->pipeline.step.h,
+	                  .steps = (Word64)from->pipeline.steps};
 }
 
 Bay template_bay(const Template* from, int number)

@@ -29,10 +29,11 @@ typedef struct // 144 bytes: the head of a row
 	float dt;             // s: the last step with dt above 0; 0 if there was none
 	int surfaces_changed; // 1 if surfaces of contacts may have to be computed again
 	BayState state;
-	uint64_t reserved[3]; // 0
+	uint64_t reserved[2]; // 0
 } RowHead;
 
 #define ROW_MAGIC 0x776f726565726373u // "screerow"
+#define ROW_ALIGN 16 // bytes: size and place of the items of each pool are multiples of this, as their vectors need
 
 // Returns the kind of the items of a pool of a row, -1 for a pool that rows do not contain: positions in lists and
 // layouts, values that are zero between steps, and what the user has read.
