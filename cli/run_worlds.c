@@ -90,7 +90,6 @@ static scree_status complete(const ScenePlayer* player, Totals* totals)
 	now->penetration = last.penetration;
 	now->joint_gap = last.joint_gap;
 	now->frozen_bodies = last.frozen_bodies;
-	now->steps = player->steps;
 	return status;
 }
 

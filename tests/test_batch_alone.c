@@ -150,12 +150,80 @@ static void inputs_stay(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// The number of steps of a world that was taken out is that of the world alone: of its template, and of its own steps, also
+// after pauses, resets, steps of length 0 and loads.
+static void steps_are_counted(void** state)
+{
+	(void)state;
+	enum
+	{
+		WORLDS = 4
+	};
+	scree_world *world = falling_boxes(3), *taken;
+	scree_body added;
+	for (int step = 0; step < 7; ++step)
+		OK(scree_world_step(world, STEP, SUBSTEPS));
+	scree_body_def box = crate_def(world, SCREE_BODY_DYNAMIC, 4.0f, 3.0f); // newer than the last step of the template
+	OK(scree_body_create(world, &box, &added));
+	scree_batch_def def = scree_batch_def_default();
+	scree_batch* batch;
+	int64_t steps[WORLDS] = {7, 7, 7, 7}, kept = 0;
+	random_state = 8;
+	def.worlds = WORLDS;
+	def.templates = &world;
+	def.template_count = 1;
+	def.threads = 1;
+	OK(scree_batch_create(&def, &batch));
+	size_t bytes = scree_batch_get_state_bytes(batch) * 4; // the bays may grow
+	char* row = malloc(bytes);
+	for (int step = 0; step < 40; ++step)
+	{
+		uint8_t paused[WORLDS], reset[WORLDS];
+		for (int k = 0; k < WORLDS; ++k)
+		{
+			reset[k] = step > 0 && random_below(12) == 0;
+			paused[k] = random_below(4) == 0;
+			steps[k] = (reset[k] ? 7 : steps[k]) + (step > 0 && !paused[k]);
+		}
+		OK(scree_batch_reset(batch, reset));
+		OK(scree_batch_pause(batch, paused));
+		OK(scree_batch_step(batch, step % 10 == 9 ? 0.0f : STEP, SUBSTEPS, step > 0));
+		const int32_t from = random_below(WORLDS), to = random_below(WORLDS);
+		if (step % 3 == 0 && kept > 0)
+		{
+			OK(scree_batch_load(batch, &to, 1, row, bytes));
+			steps[to] = kept;
+		}
+		if (step % 4 == 0)
+		{
+			OK(scree_batch_save(batch, &from, 1, row, bytes));
+			kept = steps[from];
+		}
+		for (int k = 0; k < WORLDS; ++k)
+		{
+			scree_counters counters;
+			OK(scree_batch_extract(batch, k, NULL, &taken));
+			OK(scree_world_get_counters(taken, &counters));
+			if (counters.steps != steps[k])
+				fail_msg("world %d after step %d: %lld steps, expected %lld", k, step, (long long)counters.steps,
+				         (long long)steps[k]);
+			OK(scree_batch_insert(batch, k, taken));
+			scree_world_destroy(taken);
+		}
+	}
+	free(row);
+	scree_batch_destroy(batch);
+	scree_world_destroy(world);
+	assert_int_equal(scree_memory(), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(worlds_go_on_alone),
 	    cmocka_unit_test(handles_stay_valid),
 	    cmocka_unit_test(inputs_stay),
+	    cmocka_unit_test(steps_are_counted),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

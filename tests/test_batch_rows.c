@@ -315,6 +315,61 @@ static void hubs_are_kept(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// Resets and loads between two steps take bounded memory: 300 of them as much as 20. Each load moves a hub, or makes
+// contacts that the world before it lacked.
+static void copies_take_bounded_memory(void** state)
+{
+	(void)state;
+	for (int device = 0; device < 2 && (device == 0 || second_device[0]); ++device)
+	{
+		Templates t = {.count = 2, .dt = STEP, .substeps = SUBSTEPS};
+		t.worlds[0] = hub_world(40);
+		t.worlds[1] = falling_boxes(12);
+		int template_of[6] = {0, 1, 0, 1, 0, 1}, ages[6] = {0};
+		const int32_t falls[] = {1, 3, 5}, stands[] = {0, 2, 4};
+		scree_batch_def def = scree_batch_def_default();
+		scree_batch* batch;
+		def.worlds = 6;
+		def.templates = t.worlds;
+		def.template_count = 2;
+		def.template_of = template_of;
+		def.threads = 1;
+		def.device = device ? second_device : "cpu";
+		OK(scree_batch_create(&def, &batch));
+		record_alone(&t);
+		OK(scree_batch_step(batch, t.dt, t.substeps, AGES / 2));
+		size_t bytes = scree_batch_get_state_bytes(batch), memory = 0;
+		char *fallen = malloc(bytes), *stood = malloc(bytes);
+		OK(scree_batch_save(batch, falls, 1, fallen, bytes));
+		OK(scree_batch_save(batch, stands, 1, stood, bytes));
+		for (int k = 0; k < 300; ++k)
+		{
+			OK(scree_batch_reset(batch, k % 2 ? NULL : (const uint8_t[]){0, 1, 0, 1, 0, 1}));
+			OK(scree_batch_load(batch, falls, 3, fallen, 0));
+			if (k % 3 == 0)
+				OK(scree_batch_load(batch, stands, 3, stood, 0));
+			if (k == 20)
+				memory = scree_memory();
+		}
+		assert_int_equal(scree_memory(), memory);
+		for (int k = 0; k < 6; ++k)
+			ages[k] = k % 2 ? AGES / 2 : 0;
+		check_hashes(batch, &t, template_of, ages, "copies");
+		for (int step = 0; step < 10; ++step)
+		{
+			OK(scree_batch_step(batch, t.dt, t.substeps, 1));
+			for (int k = 0; k < 6; ++k)
+				++ages[k];
+			check_hashes(batch, &t, template_of, ages, "copies");
+		}
+		free(fallen);
+		free(stood);
+		scree_batch_destroy(batch);
+		close_templates(&t);
+	}
+	assert_int_equal(scree_memory(), 0);
+}
+
 // Rows with more contacts than the bays have slots make the bays larger.
 static void rows_may_have_more_contacts(void** state)
 {
@@ -511,14 +566,10 @@ static void bad_arguments_are_refused(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(bad_arguments_are_refused),
-	    cmocka_unit_test(damaged_rows_are_refused),
-
-	    cmocka_unit_test(touches_begin_after_a_load),
-	    cmocka_unit_test(rows_may_have_more_contacts),
-	    cmocka_unit_test(hubs_are_kept),
-	    cmocka_unit_test(broken_joints_stay_broken),
-	    cmocka_unit_test(scenes_are_exchanged),
+	    cmocka_unit_test(bad_arguments_are_refused),  cmocka_unit_test(damaged_rows_are_refused),
+	    cmocka_unit_test(touches_begin_after_a_load), cmocka_unit_test(rows_may_have_more_contacts),
+	    cmocka_unit_test(copies_take_bounded_memory), cmocka_unit_test(hubs_are_kept),
+	    cmocka_unit_test(broken_joints_stay_broken),  cmocka_unit_test(scenes_are_exchanged),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

@@ -19,7 +19,9 @@ typedef struct
 	uint64_t hash;
 } Golden;
 
-static Golden computed[256], committed[256];
+#define MOST 256 // maximum number of hashes
+
+static Golden computed[MOST], committed[MOST];
 static int computed_count, committed_count;
 
 // Adds two hashes of a scene to `computed`: after a quarter of its steps, and at the end. The smaller set of tests
@@ -32,6 +34,7 @@ static void compute(const Scenario* scenario)
 	int checks[2] = {quick() ? scenario->steps : scenario->steps / 4, scenario->steps};
 	for (int k = quick(); k < 2; ++k)
 	{
+		assert_true(computed_count < MOST);
 		Golden* g = computed + computed_count++;
 		snprintf(g->scene, sizeof g->scene, "%s", scenario->name);
 		g->steps = checks[k];
@@ -71,6 +74,7 @@ static void read_golden(const char* path)
 		Golden* g = committed + committed_count;
 		if (line[0] == '#')
 			continue;
+		assert_true(committed_count < MOST);
 		if (sscanf(line, "%63s %d %" SCNx64, g->scene, &g->steps, &g->hash) != 3)
 			fail_msg("%s: bad line: %s", path, line);
 		++committed_count;

@@ -7,6 +7,7 @@
 #include "batch/block_gravity.h"
 #include "batch/block_places.h"
 #include "batch/block_targets.h"
+#include "batch/row_check.h"
 #include "batch/world_row.h"
 #include "pools/bays.h"
 #include "step/bay_layout.h"
@@ -274,6 +275,7 @@ scree_status block_check(Block* block, const RowWork* work)
 			return fail(SCREE_ERROR_INVALID,
 			            "%s: state %d has %d slots for contacts, but worlds of the batch have at most %d contacts",
 			            work->function, number, head.count[ROW_CONTACTS], block->pipeline.bay_limit);
+		TRY(row_check(row_of(work, copies[k]), &head, from, work->function, number));
 	}
 	return SCREE_OK;
 }

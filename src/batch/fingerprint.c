@@ -20,53 +20,75 @@ static Word64 hash_bytes(Word64 h, const void* bytes, size_t size)
 	return h;
 }
 
-static Word64 hash_item(Word64 h, const Template* from, PoolId pool, int i)
+void body_structure(const Template* from, int i, BodyStructure* to)
 {
-	return hash_bytes(h, template_item(from, pool, i), pool_info[pool].bytes);
+	const BodyState* body = from->image.body + i;
+	const Motion* motion = from->image.motion + i;
+	memset(to, 0, sizeof *to);
+	to->local_center = from->image.local_center[i];
+	to->continuous = from->image.continuous_body[i];
+	to->sleep_threshold = from->image.sleep_threshold[i];
+	to->inv_mass = body->inv_mass;
+	to->inv_inertia = body->inv_inertia;
+#define X(name, least, most, value) to->values.name = motion->name;
+#include "pools/body_values.def"
+	int sleep = from->image.sleep[i]; // a sleeping body keeps its locks there
+	to->free_x = sleep ? (sleep & SLEEP_LOCK_X ? 0.0f : 1.0f) : motion->free_x;
+	to->free_y = sleep ? (sleep & SLEEP_LOCK_Y ? 0.0f : 1.0f) : motion->free_y;
 }
 
-static Word64 hash_items(Word64 h, const Template* from, const PoolId* pools, int count, int i)
+void collidable_structure(const Template* from, int i, CollidableStructure* to)
 {
-	for (int k = 0; k < count; ++k)
-		h = hash_item(h, from, pools[k], i);
-	return h;
+	const Filter* filter = from->image.filter + i;
+	memset(to, 0, sizeof *to);
+	to->kind = from->image.collidable_kind[i];
+	if (to->kind == KIND_DEAD)
+		return;
+	to->body = from->image.collidable_body[i];
+	to->attribute = from->image.collidable_attribute[i] - from->first_attribute;
+	to->next = from->image.next_collidable[i];
+	to->pose = from->image.collidable_pose[i];
+	to->category = filter->category;
+	to->mask = filter->mask;
+	to->group = filter->group;
+	to->reports = filter->reports;
 }
 
-#define HASH_ITEMS(h, from, pools, i) hash_items(h, from, pools, (int)(sizeof(pools) / sizeof *(pools)), i)
+void joint_structure(const Template* from, int i, JointStructure* to)
+{
+	memset(to, 0, sizeof *to);
+	to->flags = from->image.joint_flags[i] & JOINT_STRUCTURE;
+	if (!(to->flags & JOINT_THERE))
+		return;
+	to->data = from->image.joint_data[i];
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+		to->data.lock[k].target = to->data.drive[k].speed = to->data.drive[k].motor_most = 0.0f;
+}
 
 static Word64 hash_body(Word64 h, const Template* from, int i)
 {
-	static const PoolId pools[] = {POOL_local_center, POOL_continuous_body, POOL_sleep_threshold};
-	const BodyState* body = from->image.body + i;
-	const Motion* motion = from->image.motion + i;
-	h = HASH_ITEMS(h, from, pools, i);
-	h = hash_float(hash_float(h, body->inv_mass), body->inv_inertia);
-#define X(name, least, most, value) h = hash_float(h, motion->name);
-#include "pools/body_values.def"
-	return hash_float(hash_float(h, motion->free_x), motion->free_y);
+	BodyStructure body;
+	body_structure(from, i, &body);
+	return hash_bytes(h, &body, sizeof body);
 }
 
 static Word64 hash_collidable(Word64 h, const Template* from, int i)
 {
-	static const PoolId pools[] = {POOL_collidable_kind, POOL_collidable_body, POOL_collidable_attribute,
-	                               POOL_collidable_pose, POOL_next_collidable};
 	static const PoolId shapes[] = {POOL_attribute, POOL_thickness, POOL_rule};
-	const Filter* filter = from->image.filter + i;
-	if (from->image.collidable_kind[i] == KIND_DEAD)
-		return hash_word(h, KIND_DEAD);
-	h = HASH_ITEMS(h, from, pools, i);
-	h = hash_bytes(h, &filter->category, sizeof filter->category);
-	h = hash_bytes(h, &filter->mask, sizeof filter->mask);
-	h = hash_word(hash_word(h, (Word)filter->group), filter->reports);
-	return HASH_ITEMS(h, from, shapes, from->image.collidable_attribute[i]);
+	CollidableStructure collidable;
+	collidable_structure(from, i, &collidable);
+	h = hash_bytes(h, &collidable, sizeof collidable);
+	for (size_t k = 0; k < sizeof shapes / sizeof *shapes && collidable.kind != KIND_DEAD; ++k)
+		h = hash_bytes(h, template_item(from, shapes[k], from->image.collidable_attribute[i]),
+		               pool_info[shapes[k]].bytes);
+	return h;
 }
 
-// Hashes a joint without the values that inputs of a batch change.
-static Word64 hash_joint_data(Word64 h, JointData data)
+static Word64 hash_joint(Word64 h, const Template* from, int i)
 {
-	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		data.lock[k].target = data.drive[k].speed = data.drive[k].motor_most = 0.0f;
-	return hash_bytes(h, &data, sizeof data);
+	JointStructure joint;
+	joint_structure(from, i, &joint);
+	return hash_bytes(h, &joint, sizeof joint);
 }
 
 static Word64 hash_settings(Word64 h, const StepRequest* request)
@@ -88,12 +110,7 @@ uint64_t fingerprint_of(const Template* from)
 	for (int k = 0; k < from->collidables; ++k)
 		h = hash_collidable(h, from, k);
 	for (int k = 0; k < from->joints; ++k)
-	{
-		int flags = from->image.joint_flags[k] & JOINT_STRUCTURE;
-		h = hash_word(h, (Word)flags);
-		if (flags & JOINT_THERE)
-			h = hash_joint_data(h, from->image.joint_data[k]);
-	}
+		h = hash_joint(h, from, k);
 	Word64 kinematics = 0; // their list has no order
 	for (int k = 0; k < from->request.kinematic; ++k)
 		kinematics += hash_word(0, (Word)from->kinematics[k]);

@@ -114,7 +114,6 @@ static void set_duties(Pipeline* p, const RowHead* head)
 	p->split = p->reverted = p->rested = false;
 	p->edited = true;
 	p->sparse = p->quiet = 0;
-	p->steps = head->state.steps;
 	p->settles = head->state.settles;
 	p->listed = false; // the next step makes all groups active
 	for (int t = 0; t < 2; ++t)
@@ -152,6 +151,23 @@ static void take_kinematics(scree_world* world, const Float4* poses, const BodyS
 	}
 }
 
+static void age(int64_t* step, int64_t steps) { *step = *step < steps ? *step : steps - 1; }
+
+// Takes the number of steps of a row. If it is not that of the template, no object is newer than the last step.
+static void take_steps(scree_world* world, int64_t steps)
+{
+	if (steps == world->pipeline.steps)
+		return;
+	world->pipeline.steps = steps;
+	for (int k = 0; k < world->collidables.used; ++k)
+	{
+		age(&world->host_collidables[k].made, steps);
+		age(&world->host_collidables[k].born, steps);
+	}
+	for (int k = 0; k < world->joints.used; ++k)
+		age(&world->host_joints[k].born, steps);
+}
+
 static void take_host(scree_world* world, const RowHead* head, const char* row)
 {
 	size_t at[POOL_COUNT];
@@ -159,6 +175,7 @@ static void take_host(scree_world* world, const RowHead* head, const char* row)
 	take_joints(world, (const JointData*)(const void*)(row + at[POOL_joint_data]));
 	take_kinematics(world, (const Float4*)(const void*)(row + at[POOL_pose]),
 	                (const BodyState*)(const void*)(row + at[POOL_body]));
+	take_steps(world, (int64_t)head->state.steps);
 	reports_forget(world);
 	structure_changed(world);
 }

@@ -172,8 +172,8 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	made->contacts = c->contacts;
 	made->joints = c->joints;
 	TRY(targets_read(world, function, number, &made->targets));
-	made->hidden = world_hidden_hash(world) - world_visits_hash(world) -
-	               targets_hash(&made->targets, targets_all(&made->targets));
+	made->hidden =
+	    world_hidden_hash(world) - world_visits_hash(world) - targets_hash(&made->targets, targets_all(&made->targets));
 	read_settings(world, made);
 	size_t kinematics = (size_t)world->kinematic_count;
 	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));

@@ -10,8 +10,6 @@
 #error "rows copy numbers as they are in memory, which must be little-endian"
 #endif
 
-#define ROW_ALIGN 16 // bytes: size and place of the items of each pool are multiples of this, as their vectors need
-
 // Changes whenever the meaning of a row changes. Types and lists of pools are part of row_version.
 #define ROW_VERSION 2
 

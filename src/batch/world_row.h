@@ -37,6 +37,7 @@ typedef struct // 176 bytes: the head of a row
 } RowHead;
 
 #define ROW_MAGIC 0x776f726565726373u // "screerow"
+#define ROW_ALIGN 16 // bytes: size and place of the items of each pool are multiples of this, as their vectors need
 
 // Returns the kind of the items of a pool of a row, -1 for a pool that rows do not contain: positions in lists and
 // layouts, values that are zero between steps, and what the user has read. The pool bay_visit has words of its own, in

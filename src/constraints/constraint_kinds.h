@@ -113,4 +113,8 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
+// Returns whether the layout contains spokes. The bodies that are their hubs depend on masses and numbers of joints too, so
+// a change of these needs a new layout, which copies of the world also have.
+INLINE int layout_has_spokes(const GLOBAL Counters* c) { return c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0; }
+
 #endif

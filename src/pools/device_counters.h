@@ -33,14 +33,14 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int movers;  // 1 if some body that does not sleep moved or may move in the last step, in a world that sleeps
 	int drowsy;  // 1 if some body has been at rest for SLEEP_TIME
 	int placed[CONSTRAINT_KINDS]; // number of places behind the layout that copies of worlds took (bay_copy.h)
-	int stale_layout
-	    [CONSTRAINT_KINDS]; // 1 if copies of worlds changed constraints of the kind, so it needs a new layout
-	int bays_search;        // 1 if bay_sleep found a world whose islands are to be searched
-	int bays_settle;        // 1 if it found one whose sleeping islands are to be searched too
-	int copied_spokes;      // 1 if a copy of a world contains a spoke, and there was no layout since
-	int hubs;               // number of hubs
-	int split;              // number of spokes if some body is split into parts, else 0
-	int outliers[2];        // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
+	// 1 if the kind needs a new layout: copies of worlds changed its constraints, or the user the mass of a body
+	int stale_layout[CONSTRAINT_KINDS];
+	int bays_search;   // 1 if bay_sleep found a world whose islands are to be searched
+	int bays_settle;   // 1 if it found one whose sleeping islands are to be searched too
+	int copied_spokes; // 1 if a copy of a world contains a spoke, and there was no layout since
+	int hubs;          // number of hubs
+	int split;         // number of spokes if some body is split into parts, else 0
+	int outliers[2];   // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
 	// Values of this step.
 	int updated_boxes; // number of collidables whose enlarged box changed
 	int changed;       // 1 if a constraint began or ended, so the constraints need a new layout

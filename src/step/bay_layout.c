@@ -5,6 +5,7 @@
 #include "pools/bays.h"
 #include "step/constants.h"
 #include "step/dispatch.h"
+#include "step/relayout.h"
 #include "step/reserve.h"
 #include "step/tree_maintenance.h"
 
@@ -159,6 +160,8 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	if (count == 0)
 		return SCREE_OK;
 	int bits_most = bays->contact_bits > bays->joint_bits ? bays->contact_bits : bays->joint_bits;
+	if (pipeline->placed + ((int64_t)live << bits_most) > (int64_t)bays->worlds << bits_most)
+		TRY(pipeline_lay_out_bays(pipeline)); // many copies since the last step must not take more and more places
 	int most = pipeline->placed + (live << bits_most);
 	for (int kind = 0; kind < CONSTRAINT_KINDS && live > 0; ++kind)
 	{

@@ -2,6 +2,7 @@
 // transform.h -- computes world poses and tight boxes of collidables; replaces enlarged boxes that tight boxes exceed.
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
+#include "constraints/constraint_kinds.h"
 #include "dialect/vec.h"
 #include "pools/bays.h"
 #include "stages/broad_phase/transform_grain.h"
@@ -31,7 +32,7 @@ KERNEL(step_begin)
 	c->arranged = 0;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
-		c->dirty[kind] = BATCHED(p) ? c->stale_layout[kind] : 0;
+		c->dirty[kind] = c->stale_layout[kind] || (kind == CONSTRAINT_CONTACT && c->belts && layout_has_spokes(c));
 		c->changed |= c->dirty[kind];
 		c->arrange[kind] = 0;
 	}

@@ -263,7 +263,7 @@ KERNEL(color_arrange)
 	c->overflow_first = 0x7fffffff;
 	c->entered = c->entered || (BATCHED(p) && c->copied_spokes) || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
 	c->arranged = left == 0 && (!c->entered || RUN_HIGH(p->argument) > COLOR_BITS);
-	c->arranged = c->arranged && !(BATCHED(p) && c->stalled); // the layout of an abandoned step might stay incomplete
+	c->arranged = c->arranged && !c->stalled; // the layout of an abandoned step might stay incomplete
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
 	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->dirty[CONSTRAINT_##KIND] ? c->kind##s : 0;
 #include "pools/kinds.def"
@@ -272,7 +272,7 @@ KERNEL(color_arrange)
 	if (p->step.sleep && c->arrange[CONSTRAINT_CONTACT] > 0)
 		c->arrange[CONSTRAINT_CONTACT] = c->active_items[GROUPS_OF_CONTACTS];
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		if (BATCHED(p) && c->arrange[kind] > 0)
+		if (c->arrange[kind] > 0)
 			c->stale_layout[kind] = c->placed[kind] = 0;
 	if (BATCHED(p) && c->arrange[CONSTRAINT_CONTACT] > 0)
 		c->copied_spokes = 0;

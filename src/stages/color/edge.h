@@ -20,10 +20,14 @@ INLINE Int2 edge_bodies(const Pools* p, int edge)
 	return make_int2(0, 0);
 }
 
+// Requests a new layout of the constraints of a kind, because one of them begins or ends. The hubs of spokes depend on
+// the numbers of joints too (hub_owner).
 INLINE void edge_mark_dirty(const Pools* p, int kind)
 {
 	raise_int(&p->counters->changed, 1);
 	raise_int(&p->counters->dirty[kind], 1);
+	if (kind == CONSTRAINT_JOINT && layout_has_spokes(p->counters))
+		raise_int(&p->counters->dirty[CONSTRAINT_CONTACT], 1);
 }
 
 // Returns the value that a contact with a tangent speed adds to the pool belts. Both bodies get the same value, because

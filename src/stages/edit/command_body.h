@@ -3,6 +3,7 @@
 #ifndef COMMAND_BODY_H
 #define COMMAND_BODY_H
 #include "constraints/angle.h"
+#include "constraints/constraint_kinds.h"
 #include "constraints/sweep_closing.h"
 #include "stages/edit/asleep.h"
 #include "stages/edit/pool_item.h"
@@ -64,6 +65,9 @@ INLINE void command_mass(const Pools* p, int i, Float4 value)
 	}
 	if (value.x == 0.0f)
 		body_stand(p, i);
+	if (p->body[i].inv_mass != value.x &&
+	    layout_has_spokes(p->counters)) // masses decide which body is a hub (hub_owner)
+		raise_int(&p->counters->stale_layout[CONSTRAINT_CONTACT], 1);
 	p->body[i].inv_mass = value.x;
 	p->body[i].inv_inertia = value.y;
 	command_velocity(p, i, v);

@@ -209,7 +209,7 @@ static scree_status fill_index(ChunkIndex* index, const uint8_t* bytes, size_t b
 scree_status chunks_open(ChunkIndex* index, const char* function, const void* snapshot, size_t size)
 {
 	const uint8_t* bytes = snapshot;
-	*index = (ChunkIndex){.function = function};
+	*index = (ChunkIndex){.function = function, .subject = "the snapshot is refused"};
 	size_t head = sizeof magic + 2;
 	if (size < head + 1 + DIGEST_BYTES || memcmp(bytes, magic, sizeof magic) != 0)
 		return fail(SCREE_ERROR_INVALID, "%s: these %zu bytes are not a snapshot: they do not begin with \"Scree\"",

@@ -22,6 +22,7 @@ typedef struct // a chunk of a snapshot that is being read
 typedef struct // the chunks of a snapshot, which lie in memory of the caller
 {
 	const char* function; // caller, for messages
+	const char* subject;  // and the beginning of their sentences
 	Chunk* chunks;        // hash table with open addressing; name_length 0: empty
 	uint32_t size;        // number of entries, a power of two
 } ChunkIndex;

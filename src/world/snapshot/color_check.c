@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// color_check.c -- checks the colors of the constraints of a snapshot.
+// color_check.c -- checks the colors of constraints.
 #include "world/snapshot/color_check.h"
 #include "constraints/constraint_kinds.h"
 #include "platform/error.h"
-#include "world/world.h"
 
 #define ITEMS(type, pool) ((const type*)pools[POOL_##pool])
 
@@ -35,7 +34,7 @@ static scree_status count_kind(const ChunkIndex* index, const Counted* counted, 
 	for (int k = 0; k < c->count; ++k)
 	{
 		int color = c->color[k];
-		CHECK_ITEM(color < 0 || !(c->flags[k] & c->asleep), c->name, k);
+		CHECK_ITEM(color < 0 || (color <= COLORS && !(c->flags[k] & c->asleep)), c->name, k);
 		CHECK_ITEM(color >= COLOR_NONE || (COLOR_KEPT(color) < COLORS && c->flags[k] & c->asleep), c->name, k);
 		if (color == COLOR_NONE)
 			continue;
@@ -45,19 +44,18 @@ static scree_status count_kind(const ChunkIndex* index, const Counted* counted, 
 	return SCREE_OK;
 }
 
-static scree_status check_all(const ChunkIndex* index, const scree_world* world, void* const* pools,
+static scree_status check_all(const ChunkIndex* index, const ItemCounts* counts, void* const* pools,
                               const Counted* counted)
 {
-	const Counters* counters = &world->pipeline.counters;
 	const Colored contacts = {"contact_color",           ITEMS(int, contact_color),
 	                          ITEMS(int, contact_flags), ITEMS(Int2, contact_bodies),
-	                          counters->contacts,        (int)CONTACT_ASLEEP};
+	                          counts->contacts,          (int)CONTACT_ASLEEP};
 	const Colored joints = {"joint_color",           ITEMS(int, joint_color),
 	                        ITEMS(int, joint_flags), ITEMS(Int2, joint_bodies),
-	                        counters->joints,        JOINT_ASLEEP};
+	                        counts->joints,          JOINT_ASLEEP};
 	TRY(count_kind(index, counted, &contacts));
 	TRY(count_kind(index, counted, &joints));
-	for (int k = 0; k < world->bodies.used; ++k)
+	for (int k = 0; k < counts->bodies; ++k)
 	{
 		CHECK_ITEM(ITEMS(int, touching)[k] == counted->touching[k], "touching", k);
 		// a body that the user has made dynamic since the last step lacks the colors of its contacts until the next one
@@ -67,15 +65,15 @@ static scree_status check_all(const ChunkIndex* index, const scree_world* world,
 	return SCREE_OK;
 }
 
-scree_status color_check(const ChunkIndex* index, const scree_world* world, void* const* pools)
+scree_status color_check(const ChunkIndex* index, const ItemCounts* counts, void* const* pools)
 {
-	size_t used = (size_t)world->bodies.used;
+	size_t used = (size_t)counts->bodies;
 	const Counted counted = {scree_allocate(used * sizeof(int)), scree_allocate(used * sizeof(Word64))};
 	scree_status status = SCREE_ERROR_OUT_OF_MEMORY;
 	if (counted.touching && counted.masks)
-		status = check_all(index, world, pools, &counted);
+		status = check_all(index, counts, pools, &counted);
 	else
-		fail(status, "%s: no memory to check a snapshot", index->function);
+		fail(status, "%s: no memory to check colors", index->function);
 	scree_release(counted.touching);
 	scree_release(counted.masks);
 	return status;

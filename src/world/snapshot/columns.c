@@ -119,7 +119,7 @@ scree_status snapshot_refuse(const ChunkIndex* index, const char* format, ...)
 	va_start(arguments, format);
 	vsnprintf(sentence, sizeof sentence, format, arguments);
 	va_end(arguments);
-	return fail(SCREE_ERROR_INVALID, "%s: the snapshot is refused: %s", index->function, sentence);
+	return fail(SCREE_ERROR_INVALID, "%s: %s: %s", index->function, index->subject, sentence);
 }
 
 scree_status snapshot_refuse_item(const ChunkIndex* index, const char* kind, int k, const char* condition)

@@ -163,6 +163,7 @@ static const Column counter_columns[] = {
     COUNTER(touched),
     COUNTER(movers),
     COUNTER(drowsy),
+    COLUMN_ARRAY(Counters, stale_layout),
     COUNTER(hubs),
     COUNTER(split),
     COLUMN_ARRAY(Counters, outliers),

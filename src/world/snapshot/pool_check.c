@@ -9,52 +9,9 @@
 #include "world/pool_values.h"
 #include "world/snapshot/color_check.h"
 #include "world/world.h"
-#include <float.h>
-#include <math.h>
 #include <string.h>
 
-#define FAR      1e9f // m: bodies stop at 1e8 m
-#define FEATURES 16   // number of features of a shape: corners, then edges
-
 #define ITEMS(type, pool) ((const type*)pools[POOL_##pool])
-
-static bool in_range(int x, int least, int end) { return x >= least && x < end; }
-
-// Fails unless all numbers of a pool of floats are within a limit: kernels convert some of them to integers.
-static scree_status check_floats(const ChunkIndex* index, const scree_world* world, void* const* pools)
-{
-	static const struct
-	{
-		PoolId pool;
-		float most;
-	} all[] = {{POOL_collidable_pose, FAR},
-	           {POOL_box, EMPTY_LOW},
-	           {POOL_old_box, EMPTY_LOW},
-	           {POOL_pose, FAR},
-	           {POOL_body, FLT_MAX},
-	           {POOL_motion, FLT_MAX},
-	           {POOL_pose_low, FAR},
-	           {POOL_local_center, FAR},
-	           {POOL_reported_pose, FAR},
-	           {POOL_stored_velocity, FLT_MAX},
-	           {POOL_still, FLT_MAX},
-	           {POOL_sleep_threshold, FLT_MAX},
-	           {POOL_contact_surface, FLT_MAX},
-	           {POOL_contact_kept, FLT_MAX},
-	           {POOL_contact_manifold, FLT_MAX},
-	           {POOL_thickness, FAR}};
-	for (size_t p = 0; p < sizeof all / sizeof *all; ++p)
-	{
-		const float* values = pools[all[p].pool];
-		size_t floats = pool_info[all[p].pool].bytes / sizeof(float);
-		size_t count = (size_t)lasting_items(world, pool_info[all[p].pool].per) * floats;
-		for (size_t k = 0; k < count; ++k)
-			CHECK_ITEM(fabsf(values[k]) <= all[p].most, pool_info[all[p].pool].name, k / floats);
-	}
-	return SCREE_OK;
-}
-
-static bool is_turn(float c, float s) { return fabsf(c * c + s * s - 1.0f) < 1e-3f; }
 
 static scree_status check_attributes(const ChunkIndex* index, const scree_world* world, void* const* pools)
 {
@@ -108,32 +65,13 @@ static scree_status check_bodies(const ChunkIndex* index, const scree_world* wor
 
 static scree_status check_contacts(const ChunkIndex* index, const scree_world* world, void* const* pools)
 {
-	// flags of contacts that are listed, in worlds that have no memory for these lists
-	const Pipeline* pipeline = &world->pipeline;
-	Word unused = (pipeline->reports ? 0 : CONTACT_REPORTS | CONTACT_TOUCHED) |
-	              (pipeline->asks && pipeline->reports ? 0 : CONTACT_APPROVALS) |
-	              (pipeline->platforms ? 0 : CONTACT_PASSES | CONTACT_SUNK);
-	const Counters* counters = &pipeline->counters;
-	int used = world->collidables.used, alive = 0;
+	const Counters* counters = &world->pipeline.counters;
+	int alive = 0;
 	for (int k = 0; k < counters->contacts; ++k)
 	{
-		Int2 pair = ITEMS(Int2, pair)[k], bodies = ITEMS(Int2, contact_bodies)[k];
-		bool there = pair.x >= 0;
-		CHECK_ITEM(there ? in_range(pair.x, 0, used) && in_range(pair.y, 0, used) : pair.x == -1 && pair.y == -1,
-		           "pair", k);
-		CHECK_ITEM(there || (ITEMS(int, contact_color)[k] == COLOR_NONE && ITEMS(int, contact_place)[k] == -1),
-		           "contact_place", k);
-		CHECK_ITEM(in_range(bodies.x, 0, world->bodies.used) && in_range(bodies.y, 0, world->bodies.used),
-		           "contact_bodies", k);
+		bool there = ITEMS(Int2, pair)[k].x >= 0;
+		CHECK_ITEM(there || ITEMS(int, contact_place)[k] == -1, "contact_place", k);
 		alive += there;
-		Word flags = ITEMS(Word, contact_flags)[k];
-		CHECK_ITEM((flags & CONTACT_COUNT) <= 2 && !(flags & unused) && (there || flags == 0), "contact_flags", k);
-		for (int p = 0; p < 2; ++p)
-		{
-			int feature = p ? ITEMS(Int2, contact_feature)[k].y : ITEMS(Int2, contact_feature)[k].x;
-			CHECK_ITEM(feature == -1 || (in_range(feature >> 8, 0, FEATURES) && (feature & 255) < FEATURES),
-			           "contact_feature", k);
-		}
 	}
 	CHECK_ITEM(counters->alive - counters->released == alive, "contacts", alive);
 	return SCREE_OK;
@@ -250,14 +188,32 @@ static scree_status check_layouts(const ChunkIndex* index, const scree_world* wo
 	return check_rows(index, world, pools);
 }
 
+static ItemCounts counts_of(const scree_world* world)
+{
+	const Pipeline* pipeline = &world->pipeline;
+	// flags of contacts that are listed, in worlds that have no memory for these lists
+	Word unused = (pipeline->reports ? 0 : CONTACT_REPORTS | CONTACT_TOUCHED) |
+	              (pipeline->asks && pipeline->reports ? 0 : CONTACT_APPROVALS) |
+	              (pipeline->platforms ? 0 : CONTACT_PASSES | CONTACT_SUNK);
+	return (ItemCounts){.bodies = world->bodies.used,
+	                    .collidables = world->collidables.used,
+	                    .attributes = world->edits.attribute_rows,
+	                    .contacts = pipeline->counters.contacts,
+	                    .joints = pipeline->counters.joints,
+	                    .padded_bodies = lasting_items(world, PER_BODY),
+	                    .unused = unused};
+}
+
 scree_status pool_check(const ChunkIndex* index, const scree_world* world, void* const* pools)
 {
-	TRY(check_floats(index, world, pools));
+	const ItemCounts counts = counts_of(world);
+	TRY(floats_check(index, &counts, pools));
 	TRY(check_attributes(index, world, pools));
 	TRY(check_collidables(index, world, pools));
 	TRY(check_bodies(index, world, pools));
+	TRY(contacts_check(index, &counts, pools));
 	TRY(check_contacts(index, world, pools));
 	TRY(check_joints(index, world, pools));
 	TRY(check_layouts(index, world, pools));
-	return color_check(index, world, pools);
+	return color_check(index, &counts, pools);
 }
