@@ -102,11 +102,11 @@ static void damage_words(Damage* d, const RowHead* head)
 	}
 }
 
-// Replaces words of the head behind the numbers of items.
+// Replaces words of the head behind the numbers of items. Targets are refused with a sentence of their own.
 static void damage_head(Damage* d)
 {
 	static const uint32_t wild[] = {0x7fffffff, 0xffffffff, 0x80000000, 0x7fc00000, 1000};
-	for (size_t at = offsetof(RowHead, dt); at < offsetof(RowHead, reserved); at += 4)
+	for (size_t at = offsetof(RowHead, dt); at < offsetof(RowHead, targets); at += 4)
 		for (size_t k = 0; k < sizeof wild / sizeof *wild; ++k)
 		{
 			memcpy(d->bad, d->good, d->bytes);
