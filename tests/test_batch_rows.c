@@ -483,7 +483,7 @@ static void damaged_rows_are_refused(void** state)
 	OK(scree_batch_get_hashes(batch, after));
 	assert_memory_equal(before, after, sizeof before);
 	REFUSED(scree_batch_load(batch, &first, 1, rows, 16),
-	        "scree_batch_load: state 0 has 16 bytes, fewer than its head of 144");
+	        "scree_batch_load: state 0 has 16 bytes, fewer than its head of 176");
 	assert_int_equal(scree_batch_load(batch, &first, 1, rows, (size_t)used - 1), SCREE_ERROR_INVALID);
 	OK(scree_batch_load(batch, &first, 1, rows, (size_t)used));
 	OK(scree_batch_load(batch, list, 3, rows, size));
@@ -551,7 +551,7 @@ static void bad_arguments_are_refused(void** state)
 	    "scree_batch_insert: from has other settings, or other shapes, masses, joints or rules, than the template of "
 	    "world 0");
 	scree_world* sleeper = open_world(-10.0f);
-	REFUSED(scree_batch_insert(batch, 0, sleeper), "scree_batch_insert: from has 2 bodies, 1 collidables and 0 joints, "
+	REFUSED(scree_batch_insert(batch, 0, sleeper), "scree_batch_insert: from has 1 bodies, 0 collidables and 0 joints, "
 	                                               "but the template of world 0 has 4, 3 and 0");
 	free(rows);
 	scree_batch_destroy(batch);

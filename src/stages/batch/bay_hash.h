@@ -57,7 +57,7 @@ KERNEL(bay_counters)
 	{
 		int slot = bay_item(bays->worlds, at, k, 1 << bays->contact_bits), used = contact_in_use(p, slot);
 		counters.contacts += used;
-		counters.touching += used && p->contact_color[slot] >= 0;
+		counters.touching += used && (p->contact_color[slot] >= 0 || p->contact_flags[slot] & CONTACT_ASLEEP);
 	}
 	counters.penetration = bits_float(state.penetration);
 	counters.joint_gap = bits_float(state.joint_gap);
