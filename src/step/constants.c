@@ -4,6 +4,7 @@
 #include "dialect/finite.h"
 #include "platform/error.h"
 #include "step/contact_capacity.h"
+#include "step/reserve.h"
 #include <limits.h>
 #include <math.h>
 #include <string.h>
@@ -113,7 +114,10 @@ void step_bays(Step* step, const Bays* bays)
 	step->traversal_nodes = INT_MAX; // a traversal within a world is short
 }
 
-int bays_contacts(const Pipeline* pipeline) { return (pipeline->live_bays << pipeline->bays.contact_bits) + 1; }
+int bays_contacts(const Pipeline* pipeline)
+{
+	return group_items(pipeline->live_bays << pipeline->bays.contact_bits) + 1;
+}
 
 Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 {

@@ -12,7 +12,7 @@ BayGravity step_gravity(const StepRequest* request, scree_vec gravity);
 // Sets the members that depend on the bays of a batch; zeros: there is none.
 void step_bays(Step* step, const Bays* bays);
 
-// Returns the number of contact slots of all live bays, and one more, which scans need.
+// Returns the number of contact slots of all live bays, rounded up to whole groups, and one more, which scans need.
 int bays_contacts(const Pipeline* pipeline);
 
 // Sets Step.place_capacity, the capacity for each kind of constraint. Must be called again after a pool has grown.

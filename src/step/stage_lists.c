@@ -357,10 +357,10 @@ static int color_bits(const Pipeline* pipeline, int bodies)
 }
 
 // Returns an upper bound of the number of slots of a kind. In a batch it is their number, because the pools also contain
-// bays that are not stepped.
+// bays that are not stepped; rounded up to whole groups, because the number of contacts in active groups is.
 static int slots_most(const Pipeline* pipeline, int kind)
 {
-	return pipeline->bays.worlds ? kind_items(&pipeline->counters, kind)
+	return pipeline->bays.worlds ? group_items(kind_items(&pipeline->counters, kind))
 	                             : pipeline->backend->capacity[kind_info[kind].items];
 }
 
