@@ -166,6 +166,7 @@ struct Backend
 	int traversal_nodes;               // number of nodes of level 1 after which the rest of a traversal is split
 	int chain_lanes;                   // number of chains that are interleaved, at least 1
 	int groups;                        // number of work-groups that run at the same time, at least 1
+	bool ordered;                      // a solve needs the constraints of a color in the order of slots
 	bool distant;                      // the device is not the host, so a read takes as long as many runs
 	double test_milliseconds;          // time for which opencl_open has tested the device; 0 if it had a verdict
 	bool alone;                        // runs use the calling thread only, not the user's pool of threads

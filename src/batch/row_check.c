@@ -43,7 +43,7 @@ static scree_status check_head(const ChunkIndex* index, const RowHead* head)
 	CHECK_HEAD(is_positive_bits(state->penetration) && is_positive_bits(state->joint_gap));
 	CHECK_HEAD(in_range(state->nonfinite, 0, head->count[ROW_BODIES] + 1) && state->steps >= 0);
 	CHECK_HEAD(is_truth(state->drowsy) && is_truth(state->joined_islands) && is_truth(state->settles));
-	CHECK_HEAD(is_truth(state->searches) && state->unused == 0 && head->unused == 0);
+	CHECK_HEAD(is_truth(state->searches) && is_truth(state->woken) && head->unused == 0);
 	CHECK_HEAD(fabsf(head->gravity.x) <= FLT_MAX && fabsf(head->gravity.y) <= FLT_MAX);
 	return SCREE_OK;
 }

@@ -194,9 +194,10 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 	set_counters(head, (const CollidablePair*)(const void*)(row + at[POOL_pair]), &p->counters);
 	TRY(pipeline_lay_out(p, from->bodies, spokes));
 	const int* wake = (const int*)(const void*)(row + at[POOL_wake]);
+	bool woken = head->state.woken != 0;
 	for (int k = 0; k < head->count[ROW_BODIES]; ++k)
-		if (wake[k])
-			p->counters.woken = INT32_MAX;
+		woken |= wake[k] != 0;
+	p->counters.woken = woken ? INT32_MAX : 0;
 	p->counters.belts = p->belts; // the belt of a contact may have changed just before the row was saved
 	// the pairs that never touch are those of the template, but joints may have broken since
 	p->counters.joints_dirty = p->counters.joints + p->excluded > 0 ? INT32_MAX : 0;

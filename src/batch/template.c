@@ -204,7 +204,8 @@ BayState template_state(const Template* from)
 	                  .steps = (int)from->pipeline.steps,
 	                  .drowsy = c->drowsy,
 	                  .joined_islands = c->joined_islands,
-	                  .settles = from->pipeline.settles};
+	                  .settles = from->pipeline.settles,
+	                  .woken = c->woken != 0};
 }
 
 Bay template_bay(const Template* from, int number)

@@ -102,7 +102,7 @@ typedef struct // 80 bytes: values of a world of a batch that the counters have 
 	int joined_islands; // Counters.joined_islands
 	int settles;        // Pipeline.settles
 	int searches;       // 1 if the step searches the islands of the world
-	int unused;
+	int woken;          // 1 if Counters.woken is to be set when the world enters a live bay
 } BayState;
 
 typedef struct // 20 bytes: values of a world of a batch that depend on its gravity

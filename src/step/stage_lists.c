@@ -439,7 +439,7 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 		runs_add(list, KERNEL_color_reset, 0, edges, COUNT(began), 0);
 	int colored = (to - 1) % MAX_ROUNDS + 1;
 	// later in a step, a layout that lacked places may have changed the ranges of colors; with sleep, contacts keep colors
-	if (from == 0 && rest && !pipeline->skips)
+	if (from == 0 && rest && !pipeline->skips && !pipeline->backend->ordered)
 		list_patch(pipeline, colored);
 	list_layout(pipeline, bodies, colored);
 	// each layout may move the rows of joints

@@ -384,6 +384,7 @@ void form_take_backend(Backend* b, const Form* how)
 	functions.resize = form_resize;
 	b->f = &functions;
 	b->distant = how->ahead;
+	b->ordered = true;
 	if (how->persistent)
 		b->chain_lanes = 1; // devices interleave no chains
 	form = *how;

@@ -48,6 +48,9 @@ INLINE void bay_copy_values(const Pools* p, int n, int live)
 		raise_int(&p->counters->belts, 1); // the belt of a contact may have changed just before the world was saved
 	if (live != (copy.x < p->step.bays.worlds))
 		state.steps += live ? -p->argument : p->argument;
+	if (live && state.woken)
+		raise_int(&p->counters->woken, 0x7fffffff);
+	state.woken = live ? 0 : state.woken || p->counters->woken != 0;
 	if (live)
 		state.crowded = 0;
 	else if (p->counters->joints_dirty)
