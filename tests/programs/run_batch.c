@@ -139,7 +139,9 @@ static bool steps_alike(scree_world* alone, scree_world* pulled, Copies* c)
 			return true;
 		if (!hashes_agree(c, expected, other))
 			return false;
-		if (step == 1 && change_gravity(pulled, c->batch) != SCREE_OK)
+		// in a world that sleeps, this wakes bodies at once
+		if (step == 1 &&
+		    (change_gravity(pulled, c->batch) != SCREE_OK || scree_world_get_hash(pulled, &last) != SCREE_OK))
 			return true;
 		if (step == 2 && scree_batch_reset(c->batch, mask) == SCREE_OK)
 			c->ages[1] = 0;
