@@ -152,7 +152,7 @@ typedef struct // settings with which the blocks of a batch are opened
 {
 	scree_batch* batch;
 	const scree_batch_def* def;
-	int threads; // of the device of a block
+	int threads; // number of threads of a device
 } BlockPlan;
 
 static scree_status open_block(Block* block, const void* context)
