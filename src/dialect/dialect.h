@@ -111,8 +111,10 @@ typedef Word Words;
 #define load_int(array, i)     ((array)[i])
 #define store(array, i, x)     ((array)[i] = (x))
 #define store_int(array, i, x) ((array)[i] = (x))
-#define real_bits(x)           float_bits(x)
-#define bits_real(x)           bits_float(x)
+// Stores `count` lanes of x from lane `first` on, at `to`.
+#define store_lanes(to, x, first, count) (*(to) = (x))
+#define real_bits(x)                     float_bits(x)
+#define bits_real(x)                     bits_float(x)
 INLINE Real blend(Real a, Real b, Int c) { return c ? b : a; }
 INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
 // Conversions between Real and Int, of values from 0 to below 2^31.

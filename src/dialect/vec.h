@@ -33,13 +33,12 @@ INLINE Vec vec_blend(Vec a, Vec b, Int c) { return vec(blend(a.x, b.x, c), blend
 
 // Returns quotient(1, square_root(square)), the factor that makes the length of a vector 1. If `square` is UNIT_ULPS
 // floats from 1 or less, both roundings together are this function of its bits, which takes fewer cycles.
-INLINE float unit_factor(float square)
+INLINE Real unit_factor(Real square)
 {
-	int one = float_bits(1.0f), ulps = float_bits(square) - one;
-	if (ulps < -UNIT_ULPS || ulps > UNIT_ULPS)
-		return quotient(1.0f, square_root(square));
-	int above = -(ulps & ~1), below = (3 - ulps) >> 2;
-	return bits_float(one + (above < below ? above : below));
+	Int one = real_bits(splat(1.0f)), ulps = real_bits(square) - one;
+	Int above = -(ulps & ~1), below = (3 - ulps) >> 2, far = (ulps < -UNIT_ULPS) | (ulps > UNIT_ULPS);
+	Real factor = bits_real(one + blend_int(below, above, above < below));
+	return lane_bits(far) ? blend(factor, quotient(splat(1.0f), root(square)), far) : factor;
 }
 
 // Returns cosine and sine of an angle up to pi, by a Taylor series for a quarter of the angle; this quarter is then

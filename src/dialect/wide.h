@@ -18,9 +18,13 @@ typedef Word Words __attribute__((vector_size(4 * LANES)));
 #define load_int(array, i)     (*(const Int*)((array) + (i)))
 #define store(array, i, x)     (*(Real*)((array) + (i)) = (x))
 #define store_int(array, i, x) (*(Int*)((array) + (i)) = (x))
-#define real_bits(x)           ((Int)(x))
-#define bits_real(x)           ((Real)(x))
-#define lane(x, k)             ((x)[k])
+INLINE void store_lanes(float* to, Real x, int first, int count)
+{
+	memcpy(to, (const char*)&x + sizeof(float) * (size_t)first, sizeof(float) * (size_t)count);
+}
+#define real_bits(x) ((Int)(x))
+#define bits_real(x) ((Real)(x))
+#define lane(x, k)   ((x)[k])
 #if LANES == 8 && defined(__AVX__)
 INLINE Real blend(Real a, Real b, Int c) { return (Real)_mm256_blendv_ps((__m256)a, (__m256)b, (__m256)c); }
 INLINE Int blend_int(Int a, Int b, Int c) { return (Int)blend((Real)a, (Real)b, c); }

@@ -6,33 +6,11 @@
 #ifndef FINALIZE_WIDE_H
 #define FINALIZE_WIDE_H
 #include "constraints/sweep_closing.h"
-#include "stages/geometry/pose.h"
+#include "stages/geometry/pose_sum.h"
 
 INLINE void finalize_list(const Pools* p, int i)
 {
 	p->moved_bodies[atomic_add_int(&p->counters->listed_bodies, 1)] = i;
-}
-
-#if LANES == 1
-WIDE_KERNEL(finalize_wide) { finalize_list(p, i); } // for builds with one lane, which do not run it
-#else
-
-// Returns unit_factor of several squares.
-INLINE Real finalize_unit(Real square)
-{
-	Int one = real_bits(splat(1.0f)), ulps = real_bits(square) - one;
-	Int above = -(ulps & ~1), below = (3 - ulps) >> 2, far = (ulps < -UNIT_ULPS) | (ulps > UNIT_ULPS);
-	Real factor = bits_real(one + blend_int(below, above, above < below));
-	return lane_bits(far) ? blend(factor, quotient(1.0f, root(square)), far) : factor;
-}
-
-// Returns a + b as pose_sum does.
-INLINE Real finalize_sum(Real a, Real b, Real* lack)
-{
-	Real sum = a + b, back = sum - a, most = splat(POSE_EDGE);
-	Int inside = (sum >= -most) & (sum <= most);
-	*lack = only((a - (sum - back)) + (b - back), inside);
-	return blend(within(sum, most), sum, inside);
 }
 
 // Returns the bodies that the kernel for one body must finalize. b: rows of the pool body; v, w: their velocities.
@@ -64,9 +42,9 @@ WIDE_KERNEL(finalize_wide)
 	Int rare = finalize_rare(p, i, b, v, w), done = rare == 0;
 
 	Vec turn = vec(pose[2], pose[3]), turned = vec_turn(vec_rotation(da), turn);
-	turned = vec_scale(finalize_unit(vec_dot(turned, turned)), turned);
+	turned = vec_scale(unit_factor(vec_dot(turned, turned)), turned);
 	turn = vec_blend(turn, turned, da != splat(0.0f));
-	Real x = finalize_sum(pose[0], b[4] + low_x, &lack_x), y = finalize_sum(pose[1], b[5] + low_y, &lack_y);
+	Real x = pose_sum(pose[0], b[4] + low_x, &lack_x), y = pose_sum(pose[1], b[5] + low_y, &lack_y);
 	Real moved[4] = {x, y, turn.x, turn.y};
 	v = vec_flush_tiny(sweep_velocity(&p->step, v));
 	Real now[4] = {v.x, v.y, flush_tiny(within(w, splat(p->step.max_spin))), b[3]};
@@ -88,6 +66,5 @@ WIDE_KERNEL(finalize_wide)
 			p->pose_low[i + k] = make_float2(lane(lack_x, k), lane(lack_y, k));
 	}
 }
-#endif
 
 #endif
