@@ -370,6 +370,7 @@ static scree_status opencl_open_device(const BackendOptions* options, const Devi
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	b->f = &functions;
 	b->distant = true;
+	b->ordered = true; // bay_solve.cl finds the constraints of a world by their slots
 	scree_status status = open_device(b, options, device);
 	if (status != SCREE_OK)
 		opencl_close(b);

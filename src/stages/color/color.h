@@ -261,7 +261,7 @@ KERNEL(color_arrange)
 	int left = c->uncolored[RUN_LOW(p->argument)];
 	c->kept = 0;
 	c->overflow_first = 0x7fffffff;
-	c->entered = c->entered || (BATCHED(p) && c->copied_spokes) || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
+	c->entered = c->entered || (BATCHED(p) && c->copied_spokes) || layout_has_spokes(c);
 	c->arranged = left == 0 && (!c->entered || RUN_HIGH(p->argument) > COLOR_BITS);
 	c->arranged = c->arranged && !c->stalled; // the layout of an abandoned step might stay incomplete
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
