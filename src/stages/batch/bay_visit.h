@@ -20,13 +20,9 @@ INLINE GLOBAL Word* visit_list(const Pools* p, int bay)
 // Returns whether a collidable is in a sensor at their poses. a: that of the sensor. The tests are those of sensor_visit.
 INLINE int visit_lasts(const Pools* p, int sensor, WorldShape a, int visitor, WorldShape b)
 {
-	const GLOBAL Attribute *shape_a = p->attribute + a.attribute, *shape_b = p->attribute + b.attribute;
 	Frame end = sensor_frame(a, b);
 	Vec normal;
-	if (sensor_within(shape_a, shape_b, end) &&
-	    sensor_within(shape_a, shape_b, sensor_frame(p->world_shape[sensor], p->world_shape[visitor])))
-		return 1;
-	return !(sensor_apart(p, a, b, end, &normal) > 0.0f);
+	return sensor_stays(p, sensor, a, visitor, b, end) || !(sensor_apart(p, a, b, end, &normal) > 0.0f);
 }
 
 // Returns a word of the bits of a sensor. first: first collidable of the bay; name: the sensor within the world; others:
@@ -42,8 +38,7 @@ INLINE Word visit_bits(const Pools* p, int first, int name, int others)
 	for (int k = others; k < end; ++k)
 	{
 		int visitor = first + k, kind = p->collidable_kind[visitor];
-		if (kind == KIND_DEAD || k == name || !((kind & KIND_SENSOR ? LEAF_SENSOR : 1u << (kind - 1)) & kinds) ||
-		    apart_by(p, sensor, visitor, APART_SEEN))
+		if (kind == KIND_DEAD || k == name || !(query_kind(kind) & kinds) || apart_by(p, sensor, visitor, APART_SEEN))
 			continue;
 		WorldShape place = collidable_place(p, visitor);
 		if (box_overlap(box, query_box_at(p, place)) && visit_lasts(p, sensor, at, visitor, place))

@@ -50,6 +50,12 @@ INLINE void channel_seek(const Pools* p, int bay, int body)
 	}
 }
 
+// Returns the bits with which a world alone marks a command of a body.
+INLINE int channel_bits(const Pools* p, int body)
+{
+	return p->stored_velocity[body].stored != 0.0f ? COMMAND_DISABLED : 0;
+}
+
 // Returns the command that an input of a body is.
 INLINE Command channel_command(const Pools* p, const GLOBAL Channel* c, int body, const GLOBAL float* v)
 {
@@ -59,7 +65,7 @@ INLINE Command channel_command(const Pools* p, const GLOBAL Channel* c, int body
 	command.kind = COMMAND_FORCE;
 	command.index = body;
 	command.whole[0] = c->locks;
-	command.whole[1] = c->bits | (p->stored_velocity[body].stored != 0.0f ? COMMAND_DISABLED : 0);
+	command.whole[1] = c->bits | channel_bits(p, body);
 	command.value = make_float4(v[0], 0.0f, 0.0f, 0.0f);
 	switch (c->kind)
 	{
@@ -183,7 +189,7 @@ INLINE void channel_stir_body(const Pools* p, int body)
 	command.kind = COMMAND_JOINTS;
 	command.index = body;
 	command.whole[0] = 0;
-	command.whole[1] = p->stored_velocity[body].stored != 0.0f ? COMMAND_DISABLED : 0;
+	command.whole[1] = channel_bits(p, body);
 	command.value = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	channel_apply(p, command);
 }

@@ -42,6 +42,9 @@ INLINE Float4 query_box_at(const Pools* p, WorldShape at)
 	return world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
 }
 
+// Returns the bit of QueryLeaf.kinds of a kind of collidables, KIND_*.
+INLINE Word query_kind(int kind) { return kind & KIND_SENSOR ? LEAF_SENSOR : 1u << (kind - 1); }
+
 // Returns the row of collidable k at a pose. kinds: as QueryLeaf.kinds.
 INLINE QueryLeaf query_leaf_of(WorldShape at, int k, Word kinds)
 {
@@ -70,8 +73,7 @@ INLINE void query_leaf_write(const Pools* p, const GLOBAL Tree* tree, int place,
 		box = query_way_box(p, k, at);
 	else
 		box = query_box_at(p, at);
-	Word kinds =
-	    (kind & KIND_SENSOR ? LEAF_SENSOR : 1u << (kind - 1)) | (filter.category && filter.mask ? LEAF_LISTENS : 0u);
+	Word kinds = query_kind(kind) | (filter.category && filter.mask ? LEAF_LISTENS : 0u);
 	p->query_leaf_row[tree->leaf_begin + place] = query_leaf_of(at, k, kinds);
 	box_pack(p->query_box, tree->begin[0] + place, box);
 }

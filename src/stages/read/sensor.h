@@ -136,19 +136,27 @@ RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closi
 	return met;
 }
 
+// Returns whether two collidables overlap well at the start and at the end of the step, which is found fast. a, b: poses at
+// the end; end: frame of this pair.
+INLINE int sensor_stays(const Pools* p, int sensor, WorldShape a, int visitor, WorldShape b, Frame end)
+{
+	const GLOBAL Attribute *shape_a = p->attribute + a.attribute, *shape_b = p->attribute + b.attribute;
+	return sensor_within(shape_a, shape_b, end) &&
+	       sensor_within(shape_a, shape_b, sensor_frame(p->world_shape[sensor], p->world_shape[visitor]));
+}
+
 // Returns whether a leaf visits a sensor. Sets visit->fraction and visit->x to the times at which the visit begins and
 // ends; x is 1 if it lasts. a: pose of the sensor at the end of the step.
 INLINE int sensor_visit(const Pools* p, int sensor, WorldShape a, QueryLeaf seen, QueryResult* visit)
 {
 	WorldShape b = collidable_place(p, seen.collidable), start_a = p->world_shape[sensor],
 	           start_b = p->world_shape[seen.collidable];
-	const GLOBAL Attribute *shape_a = p->attribute + a.attribute, *shape_b = p->attribute + b.attribute;
 	Frame end = sensor_frame(a, b);
 	visit->collidable = seen.collidable;
 	visit->fraction = 0.0f;
 	visit->x = 1.0f;
 	visit->marks = FOUND_HIT | FOUND_INSIDE;
-	if (sensor_within(shape_a, shape_b, end) && sensor_within(shape_a, shape_b, sensor_frame(start_a, start_b)))
+	if (sensor_stays(p, sensor, a, seen.collidable, b, end))
 		return 1;
 	Vec normal;
 	float apart = sensor_apart(p, a, b, end, &normal);
