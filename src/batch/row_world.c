@@ -91,7 +91,8 @@ static void set_counters(const RowHead* head, const CollidablePair* pair, Counte
 	                .joint_gap = state->joint_gap,
 	                .nonfinite = state->nonfinite,
 	                .drowsy = state->drowsy,
-	                .joined_islands = state->joined_islands};
+	                .joined_islands = state->joined_islands,
+	                .woken = state->woken ? INT32_MAX : 0};
 	for (int k = 0; k < c->contacts; ++k)
 		c->alive += pair[k].x >= 0;
 }
@@ -193,11 +194,6 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 	TRY(write_items(world, head, row));
 	set_counters(head, (const CollidablePair*)(const void*)(row + at[POOL_pair]), &p->counters);
 	TRY(pipeline_lay_out(p, from->bodies, spokes));
-	const int* wake = (const int*)(const void*)(row + at[POOL_wake]);
-	bool woken = head->state.woken != 0;
-	for (int k = 0; k < head->count[ROW_BODIES]; ++k)
-		woken |= wake[k] != 0;
-	p->counters.woken = woken ? INT32_MAX : 0;
 	p->counters.belts = p->belts; // the belt of a contact may have changed just before the row was saved
 	// the pairs that never touch are those of the template, but joints may have broken since
 	p->counters.joints_dirty = p->counters.joints + p->excluded > 0 ? INT32_MAX : 0;

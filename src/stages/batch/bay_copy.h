@@ -77,11 +77,7 @@ KERNEL(bay_copy_body)
 	if (p->continuous_body[c.to].first > 0)
 		p->continuous_body[c.to].first += c.collidable;
 	if (c.live && p->step.sleep)
-	{
 		active_touch(p, GROUPS_OF_BODIES, c.to);
-		if (p->wake[c.to] != 0) // a call of the user marked this island
-			raise_int(&p->counters->woken, 0x7fffffff);
-	}
 	p->static_contact[c.to] += c.contact; // also of a body without such a contact; its value is compared with the pair
 	body_stand(p, c.to);
 }

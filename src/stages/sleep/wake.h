@@ -202,8 +202,11 @@ KERNEL(bay_wake)
 {
 	const Bays* bays = &p->step.bays;
 	int n = bay_of_body(p, i), bay = p->bay_copy[n].y;
-	if (p->bay[bay].sleep_threshold >= 0.0f)
-		body_set_awake(p, bay_item(bays->worlds, bay, i - n * bays->bodies, bays->bodies), 1);
+	if (p->bay[bay].sleep_threshold < 0.0f)
+		return;
+	if (i == n * bays->bodies && bay >= bays->worlds) // the next step clears the counter that island_wake sets
+		p->bay_state[bay].woken = 1;
+	body_set_awake(p, bay_item(bays->worlds, bay, i - n * bays->bodies, bays->bodies), 1);
 }
 #endif
 
