@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // batch.c -- makes batches, and does work for all blocks of a batch.
 //
-// On a GPU all worlds with the same tuning share one block. On a CPU a worker steps the worlds of a block alone, so that no worker waits for
-// another within a step, and the pools of a block stay in the worker's cache.
+// On a GPU all worlds with the same tuning share one block. On a CPU a worker steps the worlds of a block alone, so that no
+// worker waits for another within a step, and the pools of a block stay in the worker's cache.
 #include "batch/batch.h"
 #include "batch/channel_rows.h"
 #include "batch/fingerprint.h"

@@ -10,12 +10,10 @@
 #include <math.h>
 #include <string.h>
 
-static scree_vec gravity_in(const Block* block, const scree_vec* gravity, int row)
+scree_vec block_world_gravity(const Block* block, int row)
 {
-	return gravity ? gravity[block_world(block, row)] : block_template(block, row)->request.gravity;
+	return block->gravity ? block->gravity[block_world(block, row)] : block_template(block, row)->request.gravity;
 }
-
-scree_vec block_world_gravity(const Block* block, int row) { return gravity_in(block, block->gravity, row); }
 
 scree_status block_wake(Block* block, const int* rows, const scree_vec* before, int count)
 {
@@ -46,11 +44,15 @@ scree_status block_wake(Block* block, const int* rows, const scree_vec* before, 
 
 scree_status block_set_gravity(Block* block, const scree_vec* gravity)
 {
-	scree_vec* before = scree_allocate(sizeof *before * (size_t)block->worlds);
-	if (!before)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the gravity of %d worlds", block->worlds);
-	for (int row = 0; row < block->worlds; ++row)
-		before[row] = block_world_gravity(block, row);
+	scree_vec* before = NULL;
+	if (block->pipeline.sleeps)
+	{
+		before = scree_allocate(sizeof *before * (size_t)block->worlds);
+		if (!before)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the gravity of %d worlds", block->worlds);
+		for (int row = 0; row < block->worlds; ++row)
+			before[row] = block_world_gravity(block, row);
+	}
 	block->gravity = gravity;
 	block->gravity_changed = true;
 	block->pipeline.edited = true;

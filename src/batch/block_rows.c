@@ -151,43 +151,29 @@ static void write_items(Staged* s, PoolId pool)
 	}
 }
 
-// Copies the visits to sensors to the rows.
-static scree_status write_visits(Staged* s)
+// Copies the visits to sensors from the spare bays to the rows (saves), or from the rows to the spare bays.
+static scree_status move_visits(Staged* s, bool saves)
 {
 	const Block* block = s->block;
 	Backend* b = block->backend;
 	const Bays* bays = &block->pipeline.bays;
 	size_t at[POOL_COUNT];
-	int size = bay_items(bays, ROW_VISITS);
+	int size = bay_items(bays, ROW_VISITS), first = block->stage * size;
 	if (size == 0)
 		return SCREE_OK;
-	TRY(b->f->read(b, POOL_bay_visit, block->stage * size, s->count * size, s->items));
+	if (saves)
+		TRY(b->f->read(b, POOL_bay_visit, first, s->count * size, s->items));
 	for (int n = 0; n < s->count; ++n)
 	{
+		Word* words = (Word*)(void*)s->items + (size_t)n * (size_t)size;
+		const VisitBits* visits = &s->templates[n]->visits;
 		row_layout(s->heads[n].count, at);
-		visits_take(bays, &s->templates[n]->visits, (const Word*)(const void*)s->items + (size_t)n * (size_t)size,
-		            (Word*)(void*)(s->rows[n] + at[POOL_bay_visit]));
+		if (saves)
+			visits_take(bays, visits, words, s->rows[n] + at[POOL_bay_visit]);
+		else
+			visits_put(bays, visits, s->rows[n] + at[POOL_bay_visit], words);
 	}
-	return SCREE_OK;
-}
-
-// Copies the visits from the rows to the spare bays.
-static scree_status read_visits(Staged* s)
-{
-	const Block* block = s->block;
-	Backend* b = block->backend;
-	const Bays* bays = &block->pipeline.bays;
-	size_t at[POOL_COUNT];
-	int size = bay_items(bays, ROW_VISITS);
-	if (size == 0)
-		return SCREE_OK;
-	for (int n = 0; n < s->count; ++n)
-	{
-		row_layout(s->heads[n].count, at);
-		visits_put(bays, &s->templates[n]->visits, (const Word*)(const void*)(s->rows[n] + at[POOL_bay_visit]),
-		           (Word*)(void*)s->items + (size_t)n * (size_t)size);
-	}
-	return b->f->write(b, POOL_bay_visit, block->stage * size, s->count * size, s->items);
+	return saves ? SCREE_OK : b->f->write(b, POOL_bay_visit, first, s->count * size, s->items);
 }
 
 // Copies the worlds of `count` copies to the spare bays, then to their rows.
@@ -219,7 +205,7 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 		TRY(read_staged(s, (PoolId)pool, s->items));
 		write_items(s, (PoolId)pool);
 	}
-	TRY(write_visits(s));
+	TRY(move_visits(s, true));
 	for (int n = 0; n < count; ++n)
 		row_seal(s->rows[n], s->heads + n);
 	return SCREE_OK;
@@ -356,7 +342,7 @@ static scree_status load_some(Staged* s)
 	}
 	for (int k = 0; k < s->copies; ++k)
 		note_pending(block, s->heads + (block->copies[k].x - block->stage), block->rows[k]);
-	TRY(read_visits(s));
+	TRY(move_visits(s, false));
 	TRY(write_values(s));
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, s->copies));
 	TRY(wake(s));

@@ -41,12 +41,6 @@ static Subject subject_of(int number)
 	return subject;
 }
 
-static scree_status refuse_template(const char* function, int number, const char* what)
-{
-	return fail(SCREE_ERROR_INVALID, "%s: %s has %s, which worlds of a batch cannot have yet", function,
-	            subject_of(number).text, what);
-}
-
 static scree_status check_template(const scree_world* world, const char* function, int number)
 {
 	const Pipeline* p = &world->pipeline;
@@ -55,7 +49,10 @@ static scree_status check_template(const scree_world* world, const char* functio
 		            "%s: sleep of %s was turned off since its last step; it must take a step first", function,
 		            subject_of(number).text);
 	if (!visits_are_plain(world)) // they end in the next step
-		return refuse_template(function, number, "visits to a collidable that is no longer a sensor");
+		return fail(
+		    SCREE_ERROR_INVALID,
+		    "%s: %s has visits to a collidable that is no longer a sensor, which worlds of a batch cannot have yet",
+		    function, subject_of(number).text);
 	if (p->asks)
 		return fail(SCREE_ERROR_INVALID,
 		            "%s: %s has, or had, contacts that need approval (SCREE_REPORT_APPROVAL), which worlds of a batch "

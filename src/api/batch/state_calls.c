@@ -40,12 +40,10 @@ static scree_status check_worlds(const scree_batch* batch, const char* function,
 	return SCREE_OK;
 }
 
-// Returns the number of the block of a world. All blocks of a tuning but its last one have the same number of worlds.
+// Returns the number of the block of a world.
 static int block_of(const scree_batch* batch, int world)
 {
 	int place = order_place(&batch->order, world), first = 0, end = batch->block_count;
-	if (batch->order.groups == 1)
-		return place / batch->blocks[0].worlds;
 	while (end - first > 1) // the block is one of `first` to end - 1
 	{
 		int middle = (first + end) / 2;

@@ -83,8 +83,8 @@ INLINE void channel_world(const Pools* p, int kind, int bay, GLOBAL float* to)
 		to[0] = bits_float(kind == CHANNEL_GET_OVERLAP ? state.penetration : state.joint_gap);
 }
 
-// Item: a group of outputs of bodies, collidables and the world in a live bay. argument: as in channel_group. With CHANNEL_BEGINS,
-// writes touches only: those before the first step, or after a reset.
+// Item: a group of outputs of bodies, collidables and the world in a live bay. argument: as in channel_group. With
+// CHANNEL_BEGINS, writes touches only: those before the first step, or after a reset.
 KERNEL(channel_body)
 {
 	ChannelGroup at = channel_group(p, i);

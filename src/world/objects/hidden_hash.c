@@ -34,6 +34,7 @@ static Word64 hash_own_mass(int body, scree_mass mass)
 }
 
 uint64_t target_hash(int body, scree_pose pose) { return hash_pose(hash_begin(HASH_TARGET, body), pose); }
+
 uint64_t world_visits_hash(const scree_world* world)
 {
 	Word64 sum = 0;

@@ -6,9 +6,9 @@
 
 uint64_t world_hidden_hash(const scree_world* world);
 
-// Returns the part of it that a pending target of a kinematic body is.
+// Return the parts of it that a pending target of a kinematic body adds, and the visits to sensors at the end of the last
+// step.
 uint64_t target_hash(int body, scree_pose pose);
-// Returns the part of world_hidden_hash that the visits to sensors at the end of the last step add.
 uint64_t world_visits_hash(const scree_world* world);
 
 #endif
