@@ -281,16 +281,6 @@ static scree_batch* open_batch(const Rig* rig, const Place* place)
 	return batch;
 }
 
-static scree_world* copy_of(const Rig* rig)
-{
-	scree_world_def def = scree_world_def_default();
-	scree_world* world;
-	def.device = "cpu";
-	def.threads = 1;
-	OK(scree_world_clone(rig->world, &def, &world));
-	return world;
-}
-
 static int asleep; // number of worlds of which half of the bodies slept after a step
 
 // Counts a world whose boxes sleep.
@@ -338,7 +328,7 @@ static void check_place(const Rig* rig, const Place* place)
 	for (int w = 0; w < WORLDS; ++w)
 	{
 		worlds[w] = *rig;
-		worlds[w].world = copy_of(rig);
+		worlds[w].world = copy_of(rig->world);
 		before[w][0] = output[w * seen + 9];
 		before[w][1] = output[w * seen + 9 + 3 + 1 + RAYS + 6];
 	}
@@ -354,7 +344,7 @@ static void check_place(const Rig* rig, const Place* place)
 			if (!mask[w])
 				continue;
 			scree_world_destroy(worlds[w].world);
-			worlds[w].world = copy_of(rig);
+			worlds[w].world = copy_of(rig->world);
 			float unused[3];
 			touches_alone(worlds[w].world, rig->boxes[0], NOBODY, before[w], unused);
 			touches_alone(worlds[w].world, rig->boxes[1], rig->boxes[0], before[w] + 1, unused);
@@ -425,7 +415,7 @@ static void templates_may_lack_objects(void** state)
 {
 	(void)state;
 	Rig rig = open_rig(1.0f);
-	scree_world* worlds[2] = {rig.world, copy_of(&rig)};
+	scree_world* worlds[2] = {rig.world, copy_of(rig.world)};
 	OK(scree_body_destroy(worlds[1], rig.boxes[1]));
 	OK(scree_world_step(worlds[0], STEP, SUBSTEPS));
 	OK(scree_world_step(worlds[1], STEP, SUBSTEPS));

@@ -228,14 +228,11 @@ static void gravity_may_differ(void** state)
 {
 	(void)state;
 	scree_world* world = open_level(1);
-	scree_world_def def = scree_world_def_default();
 	scree_batch_def many = scree_batch_def_default();
 	scree_batch* batch;
 	scree_world* alone[3];
 	scree_vec pulls[3] = {{0.0f, -10.0f}, {3.0f, -20.0f}, {0.0f, 0.0f}};
 	uint64_t hashes[3];
-	def.device = "cpu";
-	def.threads = 1;
 	many.worlds = 3;
 	many.templates = &world;
 	many.template_count = 1;
@@ -243,7 +240,7 @@ static void gravity_may_differ(void** state)
 	OK(scree_batch_set_gravity(batch, pulls));
 	for (int k = 0; k < 3; ++k)
 	{
-		OK(scree_world_clone(world, &def, alone + k));
+		alone[k] = copy_of(world);
 		OK(scree_world_set_gravity(alone[k], pulls[k]));
 	}
 	for (int step = 0; step < 50; ++step)
@@ -269,7 +266,9 @@ static void scenes_with_fields_fit(void** state)
 	(void)state;
 	Scenario scenario = small_scene("pond");
 	Templates t = {.count = 1, .worlds = {scene_world(&scenario, 3)}};
-	OK(try_templates(&t));
+	const Place place = {"cpu", 1, 1, 0};
+	int template_of;
+	scree_batch_destroy(open_batch(&t, &place, &template_of));
 	close_templates(&t);
 	scene_free((Scene*)scenario.context);
 	player_close(small_players);

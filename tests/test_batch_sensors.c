@@ -85,16 +85,6 @@ static void close_rigs(Rig* rigs)
 		scree_world_destroy(rigs[k].world);
 }
 
-static scree_world* copy_of(scree_world* world)
-{
-	scree_world_def def = scree_world_def_default();
-	scree_world* made;
-	def.device = "cpu";
-	def.threads = 1;
-	OK(scree_world_clone(world, &def, &made));
-	return made;
-}
-
 static scree_batch* open_rigs(const Rig* rigs, int kinds, const Place* place)
 {
 	scree_world* worlds[KINDS];

@@ -82,8 +82,6 @@ static void rows_belong_to_worlds(const char* device)
 	scree_batch* batch = open_batch(&t, &place, template_of);
 	scree_channel force = scree_channel_make(SCREE_INPUT_FORCE), start = scree_channel_make(SCREE_INPUT_VELOCITY),
 	              pose = scree_channel_make(SCREE_OUTPUT_POSE);
-	scree_world_def def = scree_world_def_default();
-	def.device = "cpu";
 	scree_body body = first_body(t.worlds[0]); // all templates have the same handles
 	force.body = start.body = pose.body = body;
 	OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, &force, 1, NULL));
@@ -94,7 +92,7 @@ static void rows_belong_to_worlds(const char* device)
 	      *poses = scree_batch_get_rows(batch, SCREE_OUTPUTS);
 	for (int k = 0; k < WORLDS; ++k)
 	{
-		OK(scree_world_clone(t.worlds[template_of[k]], &def, alone + k));
+		alone[k] = copy_of(t.worlds[template_of[k]]);
 		gravity[k] = (scree_vec){0.1f * (float)k, -10.0f + (float)(k % 3)};
 		starts[3 * k] = 0.2f * (float)k;
 		starts[3 * k + 1] = 1.0f;

@@ -285,7 +285,7 @@ expect 0 "$heading" bench pyramid --steps 5 --set rows=6 --worlds 30 --threads 1
 cut -d, -f 1-9,15-18 out | grep -qxE "pyramid,rows=6,cpu,1,[0-9]+,30,0,22,5,$hash,$hash,$hash,1" || fail "bench --worlds: an unexpected row"
 awk -F, 'NR == 2 { exit !($11 <= $10 && $10 <= $12 && $13 > 0) }' out || fail "bench --worlds: times that cannot be"
 dolls=(ragdolls --steps 20 --set columns=1 --set rows=1 --worlds 40 --resets 10 --template-steps 30)
-expect 0 'columns=1 rows=1 --sleep=off --template-steps=30,cpu,2,' bench "${dolls[@]}" --threads 2
+expect 0 'columns=1 rows=1 --template-steps=30,cpu,2,' bench "${dolls[@]}" --threads 2
 sum=$(sed 1d out | cut -d, -f 14-18)
 expect 0 "$sum" bench "${dolls[@]}" --threads 1 --lanes 1 --repeats 1
 cp out batch.csv
@@ -302,16 +302,16 @@ refuse 2 'a scene is missing; --worlds measures no scenes but' bench --worlds 4
 refuse 2 'churn has churn, which the worlds of a batch cannot have' bench pyramid churn --worlds 4
 expect 2 'must have at most 4096' bench pyramid --worlds 4 --steps 2
 
-# run --worlds: one world of a batch gives the results and the files of the world alone; a scene that sleeps runs awake
+# run --worlds: one world of a batch gives the results and the files of the world alone
 alone() { grep -vE '^(steps/s|ms/step|worlds|steps|  [a-z_]*) ' out; }
 for scene in 'ragdolls --set columns=1 --set rows=1' 'pile --set count=60' walker; do
 	read -ra words <<<"$scene --steps 60 --device cpu"
-	expect 0 'hash  ' run "${words[@]}" --sleep off --save alone.snap
+	expect 0 'hash  ' run "${words[@]}" --save alone.snap
 	alone >alone.txt
 	expect 0 '9 in the batch; these are the results of world 4' run "${words[@]}" --worlds 9 --show 4 --save one.snap
 	alone >one.txt
 	cmp -s alone.txt one.txt || fail "run --worlds: other results than those of the world alone"
-	expect 0 'hash  ' run "${words[@]}" --sleep off --load alone.snap
+	expect 0 'hash  ' run "${words[@]}" --load alone.snap
 	alone >alone.txt
 	expect 0 'hash  ' run "${words[@]}" --worlds 3 --load one.snap
 	alone >one.txt

@@ -145,7 +145,7 @@ END
 for scene in "${doll[*]}" walker; do
 	read -ra words <<<"$scene"
 	wall "${words[@]}" --worlds 9
-	alone=$("$scree" hash "${words[@]}" --steps 40 --device cpu --sleep off)
+	alone=$("$scree" hash "${words[@]}" --steps 40 --device cpu)
 	[ "$(nth hash 1)" = "$alone" ] || fail "wall: another hash than scree hash"
 	[ "$(nth hash 2)" = "$alone" ] || fail "wall: another hash after a restart"
 	says 'says a wall of worlds cannot do this'
@@ -166,7 +166,7 @@ key z
 frames 1
 picture next.png
 END
-	"$scree" run ./two.json --sleep off --device cpu --steps 41 --size 800x600 --renderer gl --layers centers --picture alone.png >out 2>err ||
+	"$scree" run ./two.json --device cpu --steps 41 --size 800x600 --renderer gl --layers centers --picture alone.png >out 2>err ||
 		fail "run --layers centers"
 	within one.png alone.png 0.01 0.0001 || fail "wall of one world: another picture than that of scree run"
 	within next.png alone.png 0.1 0.001 && fail "wall: a layer does not show"

@@ -168,7 +168,6 @@ static inline void copy_some(Twins* t)
 {
 	int32_t from = random_below(t->worlds), to = (from + t->level_count) % t->worlds;
 	size_t bytes = scree_batch_get_state_bytes(t->batch);
-	scree_world_def def = scree_world_def_default();
 	if (to % t->level_count != from % t->level_count)
 		return;
 	char* row = malloc(bytes);
@@ -176,9 +175,7 @@ static inline void copy_some(Twins* t)
 	OK(scree_batch_load(t->batch, &to, 1, row, bytes));
 	free(row);
 	scree_world_destroy(t->alone[to]);
-	def.device = "cpu";
-	def.threads = 1;
-	OK(scree_world_clone(t->alone[from], &def, t->alone + to));
+	t->alone[to] = copy_of(t->alone[from]);
 	OK(scree_world_set_gravity(t->alone[to], t->gravity[to]));
 }
 

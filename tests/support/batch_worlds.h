@@ -74,28 +74,11 @@ static inline void check_hashes(scree_batch* batch, const Templates* t, const in
 	free(hashes);
 }
 
-static inline scree_status try_templates(Templates* t)
-{
-	scree_batch_def def = scree_batch_def_default();
-	scree_batch* batch;
-	def.templates = t->worlds;
-	def.template_count = t->count;
-	scree_status status = scree_batch_create(&def, &batch);
-	scree_batch_destroy(batch);
-	return status;
-}
-
-// Opens two templates of a scene: after `first` steps and a few more, or both before their first step. Returns false if
-// worlds of batches cannot have the scene.
-static inline bool open_scene_templates(Templates* t, const Scenario* scenario, int first)
+// Opens two templates of a scene: after `first` steps and a few more, or both before their first step.
+static inline void open_scene_templates(Templates* t, const Scenario* scenario, int first)
 {
 	for (t->count = 0; t->count < 2; ++t->count)
 		t->worlds[t->count] = scene_world(scenario, first == 0 ? 0 : first + 9 * t->count);
-	if (try_templates(t) == SCREE_OK)
-		return true;
-	assert_non_null(strstr(scree_error(), "which worlds of a batch cannot have yet"));
-	close_templates(t);
-	return false;
 }
 
 static inline scree_world* open_awake(float gravity_y)
