@@ -491,10 +491,9 @@ static void bad_arguments_are_refused(void** state)
 	OK(scree_world_get_tuning(world, &tuning));
 	tuning.contact_hertz = 20.0f;
 	OK(scree_world_set_tuning(world, &tuning));
-	REFUSED(
-	    scree_batch_insert(batch, 0, world),
-	    "scree_batch_insert: from has other settings, or other shapes, masses, joints or rules, than the template of "
-	    "world 0");
+	REFUSED(scree_batch_insert(batch, 0, world), "scree_batch_insert: from has other settings, or other shapes, "
+	                                             "densities, joints or rules, than the template of "
+	                                             "world 0");
 	scree_world* sleeper = open_world(-10.0f);
 	REFUSED(scree_batch_insert(batch, 0, sleeper),
 	        "scree_batch_insert: the world has bodies that may sleep, which worlds of a batch cannot have yet");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // block_channels.c -- moves rows of inputs and outputs between the memory of the user and the pools of a block.
 #include "batch/block_channels.h"
+#include "batch/block_own.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
 #include "step/reserve.h"
@@ -100,6 +101,28 @@ static scree_status apply(Block* block, int bits)
 	return run_groups(block, KERNEL_channel_input, CHANNELS_STEP, bits, block->pipeline.live_bays, 0, set->groups);
 }
 
+// Applies the parameters of a world, whose row of inputs is `values`.
+static scree_status set_parameters(Block* block, const ChannelSet* set, int row, const float* values)
+{
+	float metres[MOST_COLUMNS];
+	if (set->unit == 0.0)
+		return block_own_set(block, set, row, values);
+	channels_put(set, metres, values);
+	return block_own_set(block, set, row, metres);
+}
+
+scree_status block_set_parameters(Block* block)
+{
+	const ChannelSet* set = block->sets ? block->sets + CHANNELS_STEP : NULL;
+	if (!set || set->parameters == 0)
+		return SCREE_OK;
+	const float* rows = memory_of(block, CHANNELS_STEP);
+	for (int k = 0; k < block->worlds; ++k)
+		if (block_runs(block, k))
+			TRY(set_parameters(block, set, k, rows + (size_t)k * (size_t)set->columns));
+	return block_own_send(block);
+}
+
 scree_status block_apply_inputs(Block* block)
 {
 	Backend* b = block->backend;
@@ -145,9 +168,13 @@ scree_status block_apply_reset(Block* block, int resets)
 	if (!block->sets || resets == 0)
 		return SCREE_OK;
 	const ChannelSet* set = block->sets + CHANNELS_RESET;
+	size_t columns = (size_t)set->columns;
+	for (int k = 0; k < resets && set->parameters > 0; ++k)
+		TRY(set_parameters(block, set, block->rows[k],
+		                   memory_of(block, CHANNELS_RESET) + (size_t)block->rows[k] * columns));
+	TRY(block_own_send(block));
 	if (set->count == 0 && !block->sets[CHANNELS_OUTPUTS].touches)
 		return SCREE_OK;
-	size_t columns = (size_t)set->columns;
 	for (int k = 0; k < resets && set->count > 0; ++k)
 		channels_put(set, block->converted + (size_t)k * columns,
 		             memory_of(block, CHANNELS_RESET) + (size_t)block->rows[k] * columns);

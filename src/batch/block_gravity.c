@@ -31,25 +31,32 @@ static void find_gravity(Block* block)
 	block->pipeline.bays.varied = varied;
 }
 
+void block_gravity_changes(Block* block, int first, int end)
+{
+	bool none = block->pulled_first == block->pulled_end;
+	block->pulled_first = none || first < block->pulled_first ? first : block->pulled_first;
+	block->pulled_end = none || end > block->pulled_end ? end : block->pulled_end;
+}
+
 scree_status block_gravity(Block* block)
 {
 	StepRequest* request = &block->request;
-	if (block->gravity_changed)
+	bool varied = block->pipeline.bays.varied, changed = block->pulled_first < block->pulled_end;
+	if (changed)
 		find_gravity(block);
 	bool longer = request->dt != block->gravity_dt || request->substeps != block->gravity_substeps;
-	if (!block->pipeline.bays.varied || !(block->gravity_changed || longer))
-	{
-		block->gravity_changed = false;
+	int first = varied && !longer ? block->pulled_first : 0,
+	    end = varied && !longer ? block->pulled_end : block->worlds;
+	block->pulled_first = block->pulled_end = 0;
+	if (!block->pipeline.bays.varied || !(changed || longer))
 		return SCREE_OK;
-	}
 	if (!block->gravity_rows)
 		block->gravity_rows = scree_allocate(sizeof *block->gravity_rows * (size_t)block->worlds);
 	if (!block->gravity_rows)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the gravity of %d worlds", block->worlds);
-	for (int k = 0; k < block->worlds; ++k)
+	for (int k = first; k < end; ++k)
 		block->gravity_rows[k] = step_gravity(request, gravity_of_world(block, k));
-	block->gravity_changed = false;
 	block->gravity_dt = request->dt;
 	block->gravity_substeps = request->substeps;
-	return block->backend->f->write(block->backend, POOL_bay_gravity, 0, block->worlds, block->gravity_rows);
+	return block->backend->f->write(block->backend, POOL_bay_gravity, first, end - first, block->gravity_rows + first);
 }

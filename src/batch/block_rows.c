@@ -4,6 +4,7 @@
 // States come and go through spare bays, whose items are adjacent: one read or write of each pool serves many worlds.
 #include "batch/block_rows.h"
 #include "batch/block_channels.h"
+#include "batch/block_own.h"
 #include "batch/block_places.h"
 #include "batch/world_row.h"
 #include "pools/bays.h"
@@ -23,14 +24,13 @@ typedef struct // the states in the spare bays of a block
 	RowHead* heads;
 	char** rows;
 	const Template** templates;
+	int* origins; // block_own_origin of the worlds that are saved
 } Staged;
 
 static const Template* template_of_world(const Block* block, int world)
 {
 	return block_template(block, world - block->first);
 }
-
-static bool runs(const Block* block, int world) { return block_runs(block, world - block->first); }
 
 static int bay_items(const Bays* bays, int kind)
 {
@@ -66,6 +66,7 @@ static void close_staged(Staged* s)
 	scree_release(s->heads);
 	scree_release(s->rows);
 	scree_release((void*)s->templates);
+	scree_release(s->origins);
 }
 
 static scree_status open_staged(Staged* s, Block* block, const RowWork* work)
@@ -86,7 +87,8 @@ static scree_status open_staged(Staged* s, Block* block, const RowWork* work)
 	s->heads = scree_allocate(sizeof *s->heads * bays_used);
 	s->rows = scree_allocate(sizeof *s->rows * bays_used);
 	s->templates = scree_allocate(sizeof *s->templates * bays_used);
-	if (s->items && s->pair && s->states && s->bays && s->heads && s->rows && s->templates)
+	s->origins = scree_allocate(sizeof *s->origins * bays_used);
+	if (s->items && s->pair && s->states && s->bays && s->heads && s->rows && s->templates && s->origins)
 		return SCREE_OK;
 	return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for the states of %d worlds", work->function, block->stages);
 }
@@ -108,17 +110,15 @@ static scree_status read_staged(Staged* s, PoolId pool, void* items)
 	return b->f->read(b, pool, first, s->count * count, items);
 }
 
-static void write_head(Staged* s, int n, int world)
+static void write_head(Staged* s, int n)
 {
 	const Block* block = s->block;
 	const Pipeline* p = &block->pipeline;
-	const Pending* paused = runs(block, world) ? NULL : block->paused + (world - block->first);
 	RowHead* head = s->heads + n;
 	int bits = p->bays.contact_bits;
 	*head = (RowHead){.version = s->work->version,
 	                  .fingerprint = s->templates[n]->fingerprint,
 	                  .dt = p->step.dt,
-	                  .surfaces_changed = paused ? paused->surfaces : p->surfaces_changed,
 	                  .state = s->states[n]};
 	head->state.crowded = 0;
 	row_count(s->templates[n], row_slots(s->pair + ((size_t)n << bits), 1 << bits), head->count);
@@ -136,7 +136,7 @@ static void write_items(Staged* s, PoolId pool)
 		int used = s->heads[n].count[kind];
 		if (kind == ROW_CONTACTS)
 			row_tidy(pool, items, s->pair + ((size_t)n << s->block->pipeline.bays.contact_bits), used);
-		row_shift(pool, items, used, -s->templates[n]->first_attribute);
+		row_shift(pool, items, used, -s->origins[n]);
 		row_layout(s->heads[n].count, at);
 		memcpy(s->rows[n] + at[pool], items, bytes * (size_t)used);
 	}
@@ -153,6 +153,7 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 		int world = s->work->worlds[copies[n]];
 		s->rows[n] = row_of(s->work, copies[n]);
 		s->templates[n] = template_of_world(block, world);
+		s->origins[n] = block_own_origin(block, world - block->first);
 		block_add_copy(block, &n, block->bay_of[world - block->first], block->stage + n, -1);
 	}
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, count));
@@ -160,7 +161,7 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 	TRY(read_staged(s, POOL_pair, s->pair));
 	for (int n = 0; n < count; ++n)
 	{
-		write_head(s, n, s->work->worlds[copies[n]]);
+		write_head(s, n);
 		memset(s->rows[n], 0, s->work->bytes);
 	}
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
@@ -172,7 +173,13 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 		write_items(s, (PoolId)pool);
 	}
 	for (int n = 0; n < count; ++n)
+	{
+		const Template* from = s->templates[n];
+		memcpy(s->rows[n] + row_own(s->heads[n].count),
+		       block_own_values(block, s->work->worlds[copies[n]] - block->first),
+		       own_bytes(from->bodies, from->collidables, from->joints));
 		row_seal(s->rows[n], s->heads + n);
+	}
 	return SCREE_OK;
 }
 
@@ -200,6 +207,23 @@ scree_status block_save(Block* block, const RowWork* work)
 	return status;
 }
 
+// Checks that the attributes of a row fit the tables of a block. They do not if its world had many more attributes earlier.
+static scree_status check_attributes(const Block* block, const RowWork* work, int copy, int number, const RowHead* head)
+{
+	char* values = row_of(work, copy) + row_own(head->count);
+	Own own = own_view(values, head->count[ROW_BODIES], head->count[ROW_COLLIDABLES], head->count[ROW_JOINTS]);
+	int most = block_own_attributes(block);
+	for (int k = 0; k < own.collidables; ++k)
+	{
+		OwnCollidable item; // a row may have any alignment
+		memcpy(&item, own.collidable + k, sizeof item);
+		if (item.attribute < 0 || item.attribute >= most)
+			return fail(SCREE_ERROR_INVALID, "%s: state %d has attribute %d, but worlds of the batch have at most %d",
+			            work->function, number, item.attribute, most);
+	}
+	return SCREE_OK;
+}
+
 scree_status block_check(Block* block, const RowWork* work)
 {
 	int count;
@@ -218,6 +242,7 @@ scree_status block_check(Block* block, const RowWork* work)
 			            "%s: state %d is that of a world with another structure or other settings than the template of "
 			            "world %d",
 			            work->function, number, world);
+		TRY(check_attributes(block, work, copies[k], number, &head));
 		if (head.count[ROW_CONTACTS] > block->pipeline.bay_limit)
 			return fail(SCREE_ERROR_INVALID,
 			            "%s: state %d has %d slots for contacts, but worlds of the batch have at most %d contacts",
@@ -249,7 +274,7 @@ static void note_pending(Block* block, const RowHead* head, int row)
 {
 	Pending pending = {.h = head->state.substep,
 	                   .dirty = block->pipeline.bay_joints || block->pipeline.excluded > 0,
-	                   .surfaces = head->surfaces_changed != 0,
+	                   .surfaces = head->state.surfaces != 0,
 	                   .presses = head->state.presses != 0,
 	                   .taut = head->state.taut_seen != 0};
 	if (block_runs(block, row))
@@ -287,6 +312,12 @@ static scree_status load_some(Staged* s)
 		note_pending(block, s->heads + (block->copies[k].x - block->stage), block->rows[k]);
 	TRY(write_values(s));
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, s->copies));
+	for (int k = 0; k < s->copies; ++k)
+	{
+		int n = block->copies[k].x - block->stage;
+		TRY(block_own_take(block, block->rows[k], s->rows[n] + row_own(s->heads[n].count)));
+	}
+	TRY(block_own_send(block));
 	TRY(block_begin_touches(block, s->copies));
 	s->count = s->copies = 0;
 	return SCREE_OK;

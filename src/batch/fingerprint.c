@@ -4,10 +4,11 @@
 // Worlds with equal fingerprints may exchange states.
 #include "batch/fingerprint.h"
 #include "dialect/hash_word.h"
+#include "world/pool_values.h"
 #include <string.h>
 
-// Bits of joint_flags that only calls of the user change.
-#define JOINT_STRUCTURE (JOINT_THERE | JOINT_ACTIVE | JOINT_COLLIDES | JOINT_CAN_BREAK | JOINT_ACTS)
+// Bits of joint_flags that only calls of the user change. Inputs of a batch may disable joints.
+#define JOINT_STRUCTURE (JOINT_THERE | JOINT_CAN_BREAK | JOINT_ACTS)
 
 static Word64 hash_bytes(Word64 h, const void* bytes, size_t size)
 {
@@ -20,48 +21,42 @@ static Word64 hash_bytes(Word64 h, const void* bytes, size_t size)
 	return h;
 }
 
-static Word64 hash_item(Word64 h, const Template* from, PoolId pool, int i)
+// Hashes a body without its mass, which inputs of a batch may set. Without such a mass, it follows from the collidables.
+static Word64 hash_body(Word64 h, const Template* from, const scree_world* world, int i)
 {
-	return hash_bytes(h, template_item(from, pool, i), pool_info[pool].bytes);
-}
-
-static Word64 hash_items(Word64 h, const Template* from, const PoolId* pools, int count, int i)
-{
-	for (int k = 0; k < count; ++k)
-		h = hash_item(h, from, pools[k], i);
-	return h;
-}
-
-#define HASH_ITEMS(h, from, pools, i) hash_items(h, from, pools, (int)(sizeof(pools) / sizeof *(pools)), i)
-
-static Word64 hash_body(Word64 h, const Template* from, int i)
-{
-	static const PoolId pools[] = {POOL_local_center, POOL_continuous_body, POOL_sleep_threshold};
-	const BodyState* body = from->image.body + i;
-	const Motion* motion = from->image.motion + i;
-	h = HASH_ITEMS(h, from, pools, i);
-	h = hash_float(hash_float(h, body->inv_mass), body->inv_inertia);
-#define X(name, least, most, value) h = hash_float(h, motion->name);
+	const HostBody* host = world->host_bodies + i;
+	if (!slots_in_use(&world->bodies, i))
+		return hash_word(h, 0);
+	h = hash_word(hash_word(hash_word(h, 1), (Word)host->type), host->locks);
+#define X(name, least, most, value) h = hash_float(h, host->values.name);
 #include "pools/body_values.def"
-	return hash_float(hash_float(h, motion->free_x), motion->free_y);
+	return hash_float(h, from->image.sleep_threshold[i]);
 }
 
-static Word64 hash_collidable(Word64 h, const Template* from, int i)
+_Static_assert(sizeof(scree_shape) % sizeof(Word) == 0, "a shape consists of words");
+
+// Hashes an attribute without its surface.
+static Word64 hash_core(Word64 h, const scree_attribute_def* def)
 {
-	static const PoolId pools[] = {POOL_collidable_kind, POOL_collidable_body, POOL_collidable_attribute,
-	                               POOL_collidable_pose, POOL_next_collidable};
-	static const PoolId shapes[] = {POOL_attribute, POOL_thickness, POOL_rule};
-	const Filter* filter = from->image.filter + i;
-	if (from->image.collidable_kind[i] == KIND_DEAD)
-		return hash_word(h, KIND_DEAD);
-	h = HASH_ITEMS(h, from, pools, i);
-	h = hash_bytes(h, &filter->category, sizeof filter->category);
-	h = hash_bytes(h, &filter->mask, sizeof filter->mask);
-	h = hash_word(hash_word(h, (Word)filter->group), filter->reports);
-	return HASH_ITEMS(h, from, shapes, from->image.collidable_attribute[i]);
+	h = hash_bytes(h, &def->shape, sizeof def->shape);
+	h = hash_float(hash_float(hash_float(h, def->density), def->one_way.x), def->one_way.y);
+	return hash_word(h, (Word)def->material);
 }
 
-// Hashes a joint without the values that inputs of a batch change.
+static Word64 hash_collidable(Word64 h, const scree_world* world, int i)
+{
+	const HostCollidable* host = world->host_collidables + i;
+	if (!slots_in_use(&world->collidables, i))
+		return hash_word(h, 0);
+	h = hash_word(hash_word(hash_word(h, 1), (Word)host->body), (Word)host->next);
+	h = hash_float4(h, pose_row(host->pose));
+	h = hash_bytes(h, &host->filter.category, sizeof host->filter.category);
+	h = hash_bytes(h, &host->filter.mask, sizeof host->filter.mask);
+	h = hash_word(hash_word(h, (Word)host->filter.group), report_bits(host));
+	return hash_core(h, world->attributes + host->attribute);
+}
+
+// Hashes a joint without the values that inputs of a batch change: speeds, maxima, targets.
 static Word64 hash_joint_data(Word64 h, JointData data)
 {
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
@@ -77,21 +72,24 @@ static Word64 hash_settings(Word64 h, const StepRequest* request)
 	return hash_bytes(h, values, sizeof values);
 }
 
-uint64_t fingerprint_of(const Template* from)
+uint64_t fingerprint_of(const Template* from, const scree_world* world)
 {
 	Word64 h = hash_settings(from->hidden, &from->request);
 	h = hash_word(hash_word(h, (Word)from->bodies), (Word)from->collidables);
-	h = hash_word(hash_word(h, (Word)from->joints), (Word)from->attributes);
+	h = hash_word(h, (Word)from->joints);
 	for (int k = 0; k < from->bodies; ++k)
-		h = hash_body(h, from, k);
+		h = hash_body(h, from, world, k);
 	for (int k = 0; k < from->collidables; ++k)
-		h = hash_collidable(h, from, k);
+		h = hash_collidable(h, world, k);
+	for (int k = 0; k < from->own_rules.attributes; ++k)
+		if (from->own_rules.claimed[k])
+			h = hash_word(h, (Word)k);
 	for (int k = 0; k < from->joints; ++k)
 	{
 		int flags = from->image.joint_flags[k] & JOINT_STRUCTURE;
 		h = hash_word(h, (Word)flags);
 		if (flags & JOINT_THERE)
-			h = hash_joint_data(h, from->image.joint_data[k]);
+			h = hash_joint_data(hash_word(h, world->host_joints[k].def.collide_connected), from->image.joint_data[k]);
 	}
 	Word64 kinematics = 0; // their list has no order
 	for (int k = 0; k < from->request.kinematic; ++k)

@@ -4,7 +4,7 @@
 #define FINGERPRINT_H
 #include "batch/template.h"
 
-// Returns the hash. The image has the numbers of attributes of the world alone (before template_shift).
-uint64_t fingerprint_of(const Template* from);
+// Returns the hash of a world that was read. Values that inputs may set (own_values.h, motor speeds) are no part of it.
+uint64_t fingerprint_of(const Template* from, const scree_world* world);
 
 #endif

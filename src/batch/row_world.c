@@ -18,11 +18,8 @@ scree_status row_of_world(const Template* read, const char* function, char** row
 {
 	const Pipeline* p = &read->pipeline;
 	size_t at[POOL_COUNT];
-	RowHead head = {.version = row_version(),
-	                .fingerprint = read->fingerprint,
-	                .dt = p->step.dt,
-	                .surfaces_changed = p->surfaces_changed,
-	                .state = template_state(read)};
+	RowHead head = {
+	    .version = row_version(), .fingerprint = read->fingerprint, .dt = p->step.dt, .state = template_state(read)};
 	row_count(read, row_slots(read->image.pair, read->contacts), head.count);
 	*bytes = row_layout(head.count, at);
 	*row = scree_allocate(*bytes);
@@ -38,6 +35,7 @@ scree_status row_of_world(const Template* read, const char* function, char** row
 		if (kind == ROW_CONTACTS)
 			row_tidy((PoolId)pool, items, read->image.pair, head.count[kind]);
 	}
+	memcpy(*row + row_own(head.count), read->own, own_bytes(read->bodies, read->collidables, read->joints));
 	row_seal(*row, &head);
 	return SCREE_OK;
 }
@@ -102,7 +100,7 @@ static void set_duties(Pipeline* p, const RowHead* head)
 	step->paths = p->paths;
 	step->has_rolling = p->has_rolling;
 	p->taut = head->state.taut_seen;
-	p->surfaces_changed |= head->surfaces_changed != 0;
+	p->surfaces_changed |= head->state.surfaces != 0;
 	p->dirty = p->counters.joints + p->excluded > 0;
 	p->split = p->reverted = p->rested = false;
 	p->edited = true;
@@ -177,9 +175,32 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 	return b->f->read(b, POOL_counters, 0, 1, &counters);
 }
 
-scree_status world_take_row(scree_world* world, const Template* from, const char* row)
+// Gives a copy of the template the own values of a row, and uploads them, so that the host has all that follows from them.
+static scree_status take_own(scree_world* world, const char* function, const Template* from, const RowHead* head,
+                             const char* row)
+{
+	int bodies = from->bodies, collidables = from->collidables, joints = from->joints;
+	size_t bytes = own_bytes(bodies, collidables, joints);
+	if (memcmp(row + row_own(head->count), from->own, bytes) == 0)
+		return SCREE_OK;
+	char* values = scree_allocate(bytes);
+	if (!values)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for the masses and surfaces of a world", function);
+	memcpy(values, row + row_own(head->count), bytes);
+	scree_status status = own_apply(world, function, own_view(from->own, bodies, collidables, joints),
+	                                own_view(values, bodies, collidables, joints));
+	if (status == SCREE_OK)
+		status = world_upload_to_step(world);
+	if (status == SCREE_OK)
+		own_chains_before(world, own_view(values, bodies, collidables, joints));
+	scree_release(values);
+	return status;
+}
+
+scree_status world_take_row(scree_world* world, const char* function, const Template* from, const char* row)
 {
 	RowHead head;
 	memcpy(&head, row, sizeof head);
+	TRY(take_own(world, function, from, &head, row));
 	return world_note(world, take_items(world, from, &head, row));
 }

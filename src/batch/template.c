@@ -156,8 +156,9 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	TRY(world_note(world, world->backend->f->read(world->backend, POOL_counters, 0, 1, c)));
 	made->contacts = c->contacts;
 	made->joints = c->joints;
-	made->hidden = world_hidden_hash(world);
+	made->hidden = hidden_hash_rest(world);
 	read_settings(world, made);
+	TRY(own_read(world, function, made->joints, &made->own, &made->own_rules));
 	size_t kinematics = (size_t)world->kinematic_count;
 	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));
 	if (!made->kinematics)
@@ -180,6 +181,7 @@ BayState template_state(const Template* from)
 	                  .joints_dirty = c->joints_dirty && from->contacts > 0,
 	                  .penetration = c->penetration,
 	                  .joint_gap = c->joint_gap,
+	                  .surfaces = from->pipeline.surfaces_changed,
 	                  .nonfinite = c->nonfinite,
 	                  .substep = from->pipeline.step.h};
 }
@@ -216,5 +218,7 @@ void template_close(Template* made)
 	scree_world_destroy(made->world);
 	scree_release(made->chain_memory);
 	scree_release(made->kinematics);
+	scree_release(made->own);
+	own_rules_close(&made->own_rules);
 	*made = (Template){.bodies = 0};
 }

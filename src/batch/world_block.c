@@ -3,6 +3,7 @@
 #include "batch/world_block.h"
 #include "batch/block_channels.h"
 #include "batch/block_gravity.h"
+#include "batch/block_own.h"
 #include "batch/block_places.h"
 #include "batch/block_pools.h"
 #include "platform/error.h"
@@ -87,7 +88,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 	TRY(bays_open(p, &sizes));
 	block->request.contact_limit = 0;
 	block->request.kinematics = block->kinematics;
-	block->gravity_changed = true;
+	block_gravity_changes(block, 0, worlds);
 	TRY(block_fill(block));
 	return block_reset(block, NULL);
 }
@@ -102,7 +103,16 @@ void block_close(Block* block)
 	block_places_close(block);
 	scree_release(block->converted);
 	scree_release(block->gravity_rows);
+	block_own_close(block);
 	*block = (Block){.first = 0};
+}
+
+// Gives the worlds of the first rows of the block the own values of their templates.
+static scree_status restore_own(Block* block, int count)
+{
+	for (int k = 0; k < count && block->own; ++k)
+		TRY(block_own_take(block, block->rows[k], NULL));
+	return SCREE_OK;
 }
 
 scree_status block_reset(Block* block, const uint8_t* mask)
@@ -111,6 +121,7 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 	if (block->pipeline.live_bays == block->worlds)
 	{
 		TRY(block_restore(block, mask, &count));
+		TRY(restore_own(block, count));
 		return block_apply_reset(block, count);
 	}
 	for (int k = 0; k < block->worlds; ++k)
@@ -122,6 +133,7 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 			continue;
 		block_add_copy(block, &count, block->spare_of[block->template_of[block->first + k]], block->bay_of[k], k);
 	}
+	TRY(restore_own(block, count));
 	return block_apply_reset(block, count);
 }
 
@@ -184,8 +196,11 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 	block->crowded = 0;
 	if (steps == 0)
 		return SCREE_OK;
+	TRY(block_set_parameters(block));
 	TRY(block_gravity(block));
 	TRY(block_apply_inputs(block));
+	TRY(block_own_search(block));
+	TRY(block_refresh_chains(block));
 	for (int k = 0; k < steps; ++k)
 	{
 		if (k > 0)
@@ -199,7 +214,7 @@ scree_status block_hash(Block* block, uint64_t* hashes)
 {
 	TRY(bays_hash(&block->pipeline, hashes + block->first));
 	for (int k = block->first; k < block->first + block->worlds; ++k)
-		hashes[k] += block->templates[block->template_of[k]].hidden;
+		hashes[k] += block_template(block, k - block->first)->hidden + block_own_hash(block, k - block->first);
 	return SCREE_OK;
 }
 

@@ -13,7 +13,7 @@
 #define ROW_ALIGN 16 // bytes: size and place of the items of each pool are multiples of this, as their vectors need
 
 // Changes whenever the meaning of a row changes. Types and lists of pools are part of row_version.
-#define ROW_VERSION 1
+#define ROW_VERSION 2
 
 int row_kind(PoolId pool)
 {
@@ -86,7 +86,12 @@ size_t row_layout(const int count[ROW_KINDS], size_t at[POOL_COUNT])
 		if (kind >= 0)
 			end += aligned(pool_info[pool].bytes * (size_t)count[kind]);
 	}
-	return end;
+	return end + own_bytes(count[ROW_BODIES], count[ROW_COLLIDABLES], count[ROW_JOINTS]);
+}
+
+size_t row_own(const int count[ROW_KINDS])
+{
+	return row_layout(count, NULL) - own_bytes(count[ROW_BODIES], count[ROW_COLLIDABLES], count[ROW_JOINTS]);
 }
 
 // Returns a checksum of bytes, whose number is a multiple of 8. Four sums do not wait for each other.

@@ -2,7 +2,7 @@
 // world_row.h -- declares rows: the state of one world of a batch as bytes, without addresses.
 //
 // A row has a head and, for each pool of bodies, collidables, contacts and joints that outlives a step, the items of
-// the world. Indices are those within the world, and kept values of constraints are at their slots, as in a spare bay.
+// the world; then its own values (own_values.h). Indices are those within the world, and kept values of constraints are at their slots, as in a spare bay.
 // Contact slots behind the last one in use are left out, so a row fits bays with any number of slots. Numbers are
 // little-endian.
 #ifndef WORLD_ROW_H
@@ -27,9 +27,8 @@ typedef struct // 144 bytes: the head of a row
 	uint64_t bytes;       // size of the row
 	int count[ROW_KINDS]; // numbers of items
 	float dt;             // s: the last step with dt above 0; 0 if there was none
-	int surfaces_changed; // 1 if surfaces of contacts may have to be computed again
 	BayState state;
-	uint64_t reserved[3]; // 0
+	int reserved[5]; // 0
 } RowHead;
 
 #define ROW_MAGIC 0x776f726565726373u // "screerow"
@@ -50,6 +49,9 @@ void row_count(const Template* from, int contacts, int count[ROW_KINDS]);
 // Returns the size of a row with these numbers of items. Sets at[pool], if `at` is not null, to the first byte of a
 // pool.
 size_t row_layout(const int count[ROW_KINDS], size_t at[POOL_COUNT]);
+
+// Returns the first byte of the own values of a row, which follow the pools.
+size_t row_own(const int count[ROW_KINDS]);
 
 // Completes a row, whose head has all members but magic, checksum and bytes, and whose pools are written.
 void row_seal(char* row, RowHead* head);

@@ -20,7 +20,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 #undef CONSTRAINT_KIND
 	int presses;  // INT_MAX if some body may be pressed, else 0
 	int ways;     // 1 if some contact passes on a press, or some body was pressed recently
-	int belts;    // 1 if the belt of a touching contact changed its direction since the last search for hubs
+	int belts;    // 1 if the direction of a touched belt, or a mass, changed since the last search for hubs
 	int alive;    // number of contacts, including those that the last step released
 	int touching; // number of touching contacts at the last layout, including spokes
 	KindLayout layout[CONSTRAINT_KINDS]; // places of the constraints of each kind

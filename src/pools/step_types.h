@@ -85,7 +85,7 @@ typedef struct // 32 bytes: numbers of items of a world of a batch
 	int unused;
 } Bay;
 
-typedef struct // 56 bytes: values of a world of a batch that the counters have in a world alone, or the step
+typedef struct // 64 bytes: values of a world of a batch that the counters have in a world alone, or the step
 {
 	int press[2], ways, presses; // Counters.press, ways, presses
 	int taut;                    // Counters.taut
@@ -95,6 +95,8 @@ typedef struct // 56 bytes: values of a world of a batch that the counters have 
 	int crowded; // number of contacts that the world needs, if the step was abandoned because they are too many; else 0
 	float substep; // s: Step.h of the last step with dt above 0, 0 if there was none
 	float h_ratio; // as Step.h_ratio
+	int surfaces,
+	    surfaces_used; // 1 if the next step, or this one, computes the surfaces of contacts again (contact_mix)
 } BayState;
 
 typedef struct // 20 bytes: values of a world of a batch that depend on its gravity

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // gravity_calls.c -- sets the gravity of the worlds of a batch.
 #include "api/batch/batch_check.h"
+#include "batch/block_gravity.h"
 #include "platform/processor.h"
 #include "world/record/api_calls.h"
 #include "world/units/scale.h"
@@ -23,21 +24,12 @@ scree_status api_batch_set_gravity(scree_batch* batch, const scree_vec* gravity)
 	TRY(batch_check(batch, function));
 	for (int k = 0; gravity && k < batch->worlds; ++k)
 		TRY(check_vec((ArgumentPlace){function, "gravity", k}, "", gravity[k], FLT_MAX));
-	if (gravity && !batch->gravity)
-		batch->gravity = scree_allocate(sizeof *gravity * (size_t)batch->worlds);
-	if (gravity && !batch->gravity)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d worlds", function, batch->worlds);
-	for (int k = 0; gravity && k < batch->worlds; ++k)
-		batch->gravity[k] = metric_gravity(batch, gravity, k);
-	if (!gravity)
-	{
-		scree_release(batch->gravity);
-		batch->gravity = NULL;
-	}
+	if (gravity || batch->gravity)
+		TRY(batch_own_gravity(batch, function));
+	for (int k = 0; k < batch->worlds && batch->gravity; ++k)
+		batch->gravity[k] =
+		    gravity ? metric_gravity(batch, gravity, k) : batch->templates[batch->template_of[k]].request.gravity;
 	for (int k = 0; k < batch->block_count; ++k)
-	{
-		batch->blocks[k].gravity = batch->gravity;
-		batch->blocks[k].gravity_changed = true;
-	}
+		block_gravity_changes(batch->blocks + k, 0, batch->blocks[k].worlds);
 	return SCREE_OK;
 }

@@ -47,6 +47,8 @@ KERNEL(step_begin)
 	c->began = 0;
 	c->ended = 0;
 	c->gathered = c->belts ? c->contacts : 0;
+	if (c->belts && c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0) // spokes may belong to other hubs (hub_owner)
+		c->dirty[CONSTRAINT_CONTACT] = c->changed = 1;
 	c->belts = 0;
 	c->entered = 0;
 	c->rule_changes = 0;
@@ -88,6 +90,8 @@ KERNEL(bay_begin)
 	if (p->counters->stalled)
 		return;
 	state->penetration = state->joint_gap = state->nonfinite = state->crowded = state->joints_dirty = 0;
+	state->surfaces_used = state->surfaces;
+	state->surfaces = 0;
 	if (!(p->step.dt > 0.0f))
 		return;
 	state->presses = (state->press[0] && state->press[1]) || state->ways;

@@ -51,6 +51,8 @@ INLINE void command_body_change(const Pools* p, Command c)
 		break;
 	case COMMAND_MASS:
 		command_mass(p, i, value);
+		if (p->counters->hubs > 0) // the hub of a spoke depends on masses
+			raise_int(&p->counters->belts, 1);
 		break;
 	case COMMAND_MOTION:
 		command_motion(p, i, value, c.whole[0]);

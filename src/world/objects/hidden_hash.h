@@ -6,4 +6,13 @@
 
 uint64_t world_hidden_hash(const scree_world* world);
 
+// Returns the same without disabled bodies and masses that the user set, which may differ in the worlds of a batch.
+uint64_t hidden_hash_rest(const scree_world* world);
+
+// Return what a disabled body, each of its collidables, and a mass that the user set add to the hash. The device does not hash
+// disabled bodies, and has the mass of a body only while the body is dynamic.
+uint64_t hidden_hash_disabled(const scree_world* world, int body);
+uint64_t hidden_hash_collidable(const scree_world* world, int index, int attribute);
+uint64_t hidden_hash_mass(int body, scree_mass mass);
+
 #endif
