@@ -19,7 +19,7 @@ typedef struct
 	uint64_t hash;
 } Golden;
 
-static Golden computed[64], committed[64];
+static Golden computed[96], committed[96];
 static int computed_count, committed_count;
 
 // Adds two hashes of a scene to `computed`: after a quarter of its steps, and at the end. The smaller set of tests
