@@ -291,10 +291,9 @@ static void other_fields_are_refused(void** state)
 	OK(scree_batch_insert(batch, 0, other));
 	OK(scree_world_get_fields(other, &field, 1, &count));
 	OK(scree_field_set_enabled(other, field, false));
-	REFUSED(
-	    scree_batch_insert(batch, 0, other),
-	    "scree_batch_insert: from has other settings, or other shapes, masses, joints or rules, than the template of "
-	    "world 0");
+	REFUSED(scree_batch_insert(batch, 0, other), "scree_batch_insert: from has other settings, or other shapes, "
+	                                             "densities, joints or rules, than the template of "
+	                                             "world 0");
 	scree_batch_destroy(batch);
 	scree_world_destroy(world);
 	scree_world_destroy(other);

@@ -545,10 +545,9 @@ static void bad_arguments_are_refused(void** state)
 	OK(scree_world_get_tuning(world, &tuning));
 	tuning.contact_hertz = 20.0f;
 	OK(scree_world_set_tuning(world, &tuning));
-	REFUSED(
-	    scree_batch_insert(batch, 0, world),
-	    "scree_batch_insert: from has other settings, or other shapes, masses, joints or rules, than the template of "
-	    "world 0");
+	REFUSED(scree_batch_insert(batch, 0, world), "scree_batch_insert: from has other settings, or other shapes, "
+	                                             "densities, joints or rules, than the template of "
+	                                             "world 0");
 	scree_world* sleeper = open_world(-10.0f);
 	REFUSED(scree_batch_insert(batch, 0, sleeper), "scree_batch_insert: from has 1 bodies, 0 collidables and 0 joints, "
 	                                               "but the template of world 0 has 4, 3 and 0");

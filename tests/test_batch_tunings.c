@@ -166,10 +166,9 @@ static void other_tunings_are_refused(void** state)
 	    scree_batch_load(batch, worlds + 1, 1, rows, 0),
 	    "scree_batch_load: state 0 is that of a world with another structure or other settings than the template of "
 	    "world 1");
-	REFUSED(
-	    scree_batch_insert(batch, 2, t.worlds[0]),
-	    "scree_batch_insert: from has other settings, or other shapes, masses, joints or rules, than the template of "
-	    "world 2");
+	REFUSED(scree_batch_insert(batch, 2, t.worlds[0]), "scree_batch_insert: from has other settings, or other shapes, "
+	                                                   "densities, joints or rules, than the template of "
+	                                                   "world 2");
 	free(rows);
 	scree_batch_destroy(batch);
 	close_templates(&t);

@@ -2456,8 +2456,8 @@ SCREE_API void scree_batch_destroy(scree_batch* batch);
 SCREE_API scree_status scree_batch_step(scree_batch* batch, float dt, int substeps, int steps);
 
 // Puts worlds back to the states of their templates. Worlds that were paused then run. mask: one byte per world, other than 0
-// for each world to reset; null: all worlds. Gravity set by scree_batch_set_gravity stays; bodies wake if it is not that of
-// the template.
+// for each world to reset; null: all worlds. Masses, surfaces, and what is enabled, become those of the template. Gravity that
+// was set stays; bodies wake if it is not that of the template.
 SCREE_API scree_status scree_batch_reset(scree_batch* batch, const uint8_t* mask);
 
 // Pauses worlds: they are not stepped until a later call has byte 0 for them, or they are reset. They cost no time. mask: one
@@ -2502,7 +2502,8 @@ SCREE_API scree_status scree_batch_save(scree_batch* batch, const int32_t* world
 // Puts `count` different worlds into states, so that they have the hashes of the saved worlds. State k begins at byte
 // k * state_bytes of `states`; if state_bytes is 0, all worlds get the first state. States may come from another batch,
 // device or process with the same version of the library; the template of each world must have the structure and the
-// settings of the one of the saved world, and may be in any state. Gravity is not part of a state: a world keeps
+// settings of the one of the saved world, and may be in any state, with other masses that were set, other surfaces, and other
+// bodies and joints disabled. Gravity is not part of a state: a world keeps
 // its own. Fails with SCREE_ERROR_INVALID, and changes nothing, if a state is damaged or does not fit.
 SCREE_API scree_status scree_batch_load(scree_batch* batch, const int32_t* worlds, int count, const void* states,
                                         size_t state_bytes);
@@ -2515,9 +2516,10 @@ SCREE_API scree_status scree_batch_extract(scree_batch* batch, int world, const 
                                            scree_world** made);
 
 // Puts a world of a batch into the state of an ordinary world, which stays as it is: one of scree_batch_extract, or a
-// clone of the template. It may have been stepped, and have other poses, velocities, forces, motor speeds and joint
-// targets. Fails with SCREE_ERROR_INVALID, and changes nothing, if shapes, masses, joints, rules or settings differ
-// from those of the template of the world, or for the reasons of scree_batch_load.
+// clone of the template. It may have been stepped, and have other poses, velocities, forces, motor speeds, joint targets,
+// masses and surfaces, and other bodies and joints may be disabled. Fails with SCREE_ERROR_INVALID, and changes nothing, if
+// shapes, densities, joints, rules or settings differ from those of the template of the world, or for the reasons of
+// scree_batch_load.
 SCREE_API scree_status scree_batch_insert(scree_batch* batch, int world, scree_world* from);
 
 // Returns the number of worlds; 0 if batch is null.
@@ -2541,6 +2543,13 @@ typedef enum scree_channel_kind // comments: the columns, with the units and ran
 	SCREE_INPUT_MOTOR_SPEED,     // joint: speed of the motor of coordinate `which`, m/s or rad/s
 	SCREE_INPUT_MOTOR_MAX,       // joint: largest force or torque of this motor, N or N m, at least 0
 	SCREE_INPUT_JOINT_TARGET,    // joint: target of lock and spring of coordinate `which`, m or rad
+	// Parameters of worlds. They stay until they are set again, and are set before the other inputs, in this order. A value
+	// equal to the present one changes nothing.
+	SCREE_INPUT_GRAVITY,       // world: gravity x, y, m/s^2 (scree_batch_set_gravity)
+	SCREE_INPUT_MASS,          // dynamic body: mass, inertia, center of mass x, y (scree_body_set_mass)
+	SCREE_INPUT_SURFACE,       // `collidable`: friction, restitution, rolling resistance, tangent speed (scree_surface)
+	SCREE_INPUT_ENABLED,       // body: 1 to enable it, 0 to disable it (scree_body_set_enabled)
+	SCREE_INPUT_JOINT_ENABLED, // joint: 1 to enable it, 0 to disable it (scree_joint_set_enabled)
 	// Outputs.
 	SCREE_OUTPUT_POSE,          // body: pose of its origin: x, y, m; cosine, sine
 	SCREE_OUTPUT_VELOCITY,      // body: linear x, y, m/s; angular, rad/s
@@ -2585,7 +2594,7 @@ static inline scree_channel scree_channel_make(scree_channel_kind kind);
 typedef enum scree_channels // lists of channels of a batch
 {
 	SCREE_STEP_INPUTS, // scree_batch_step reads them. Before the first step of a call all are applied; before each further
-	                   // one only forces and torques
+	                   // one only forces and torques. Those of paused worlds are ignored
 	SCREE_RESET_INPUTS, // scree_batch_reset reads them, and applies them to the worlds that it resets
 	SCREE_OUTPUTS,      // scree_batch_step and scree_batch_observe write them
 } scree_channels;

@@ -78,7 +78,7 @@ static scree_status read_templates(scree_batch* batch, const scree_batch_def* de
 		Template* made = batch->templates + t;
 		batch->template_count = t + 1;
 		TRY(template_read(def->templates[t], function, t, made));
-		made->fingerprint = fingerprint_of(made);
+		made->fingerprint = fingerprint_of(made, def->templates[t]);
 		int contacts = made->pipeline.counters.alive - made->pipeline.counters.released;
 		if (def->contact_limit > 0 && contacts > def->contact_limit)
 			return fail(SCREE_ERROR_INVALID, "%s: template %d has %d contacts, more than def.contact_limit, %d",
@@ -211,6 +211,20 @@ scree_status batch_create(const scree_batch_def* def, const char* function, scre
 	else
 		batch_destroy(made);
 	return status;
+}
+
+scree_status batch_own_gravity(scree_batch* batch, const char* function)
+{
+	if (batch->gravity)
+		return SCREE_OK;
+	batch->gravity = scree_allocate(sizeof *batch->gravity * (size_t)batch->worlds);
+	if (!batch->gravity)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d worlds", function, batch->worlds);
+	for (int k = 0; k < batch->worlds; ++k)
+		batch->gravity[k] = batch->templates[batch->template_of[k]].request.gravity;
+	for (int k = 0; k < batch->block_count; ++k)
+		batch->blocks[k].gravity = batch->gravity;
+	return SCREE_OK;
 }
 
 void batch_destroy(scree_batch* batch)

@@ -23,6 +23,9 @@ struct scree_batch
 scree_status batch_create(const scree_batch_def* def, const char* function, scree_batch** batch);
 void batch_destroy(scree_batch* batch);
 
+// Makes memory for the gravity of each world, at first that of its template.
+scree_status batch_own_gravity(scree_batch* batch, const char* function);
+
 typedef scree_status BlockWork(Block* block, const void* context);
 
 // Does work for each block, with all workers. Returns the failure of the first block that failed, after all blocks.

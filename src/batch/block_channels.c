@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // block_channels.c -- moves rows of inputs and outputs between the memory of the user and the pools of a block.
 #include "batch/block_channels.h"
+#include "batch/block_gravity.h"
+#include "batch/block_own.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
 #include "step/reserve.h"
@@ -136,6 +138,59 @@ static scree_status apply(Block* block, int which, int bits, int rows)
 	return bays_run(p, KERNEL_channel_stir, 0, rows, RUN_PAIR(which | bits, rows));
 }
 
+// Returns the row of inputs of a world in metres. room: for MOST_COLUMNS values.
+static const float* metric_row(const Block* block, int list, int row, float* room)
+{
+	const ChannelSet* set = block->sets + list;
+	const float* values = memory_of(block, list, row);
+	if (set->unit == 0.0)
+		return values;
+	channels_put(set, room, values);
+	return room;
+}
+
+// Gives worlds the gravity of their inputs, and wakes those in which it changes. rows: as in set_parameters.
+static scree_status pull(Block* block, int list, const int* rows, int count)
+{
+	float room[MOST_COLUMNS];
+	scree_vec* before = scree_allocate(sizeof *before * (size_t)(count + 1));
+	if (!before)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the gravity of %d worlds", count);
+	for (int k = 0; k < count; ++k)
+	{
+		int row = rows ? rows[k] : k;
+		before[k] = block_world_gravity(block, row);
+		if (block_runs(block, row))
+			block_own_pull(block, block->sets + list, row, metric_row(block, list, row, room));
+	}
+	scree_status status = block_wake(block, rows, before, count);
+	scree_release(before);
+	return status;
+}
+
+// Applies the parameters of a list to worlds that run. rows: rows of the worlds, null for the first `count` rows.
+static scree_status set_parameters(Block* block, int list, const int* rows, int count)
+{
+	float room[MOST_COLUMNS];
+	const ChannelSet* set = block->sets + list;
+	if (set->parameters == 0)
+		return SCREE_OK;
+	if (set->pulls)
+		TRY(pull(block, list, rows, count));
+	for (int k = 0; k < count && set->owns; ++k)
+	{
+		int row = rows ? rows[k] : k;
+		if (block_runs(block, row))
+			TRY(block_own_set(block, set, row, metric_row(block, list, row, room)));
+	}
+	return block_own_send(block);
+}
+
+scree_status block_set_parameters(Block* block)
+{
+	return block->sets ? set_parameters(block, CHANNELS_STEP, NULL, block->worlds) : SCREE_OK;
+}
+
 scree_status block_apply_inputs(Block* block)
 {
 	Backend* b = block->backend;
@@ -181,9 +236,10 @@ scree_status block_apply_reset(Block* block, int resets)
 	if (!block->sets || resets == 0)
 		return SCREE_OK;
 	const ChannelSet* set = block->sets + CHANNELS_RESET;
+	size_t columns = (size_t)set->columns;
+	TRY(set_parameters(block, CHANNELS_RESET, block->rows, resets));
 	if (set->count == 0 && !block->sets[CHANNELS_OUTPUTS].touches)
 		return SCREE_OK;
-	size_t columns = (size_t)set->columns;
 	for (int k = 0; k < resets && set->count > 0; ++k)
 		channels_put(set, block->converted + (size_t)k * columns, memory_of(block, CHANNELS_RESET, block->rows[k]));
 	TRY(b->f->write(b, POOL_bay_copy, 0, resets, block->copies));

@@ -7,7 +7,10 @@
 // Writes the lists of channels to the pools. sets: CHANNEL_LISTS lists, which outlive the block.
 scree_status block_bind(Block* block, const ChannelSet* sets, int templates);
 
-// Applies the inputs of a step, except targets.
+// Sets the parameters of the worlds that run, which are inputs of a step.
+scree_status block_set_parameters(Block* block);
+
+// Applies the other inputs of a step, except targets.
 scree_status block_apply_inputs(Block* block);
 // Applies forces and torques again, before the second and later steps of a call.
 scree_status block_apply_again(Block* block);

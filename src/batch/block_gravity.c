@@ -15,6 +15,13 @@ scree_vec block_world_gravity(const Block* block, int row)
 	return block->gravity ? block->gravity[block_world(block, row)] : block_template(block, row)->request.gravity;
 }
 
+void block_gravity_changes(Block* block, int first, int end)
+{
+	bool none = block->pulled_first == block->pulled_end;
+	block->pulled_first = none || first < block->pulled_first ? first : block->pulled_first;
+	block->pulled_end = none || end > block->pulled_end ? end : block->pulled_end;
+}
+
 scree_status block_wake(Block* block, const int* rows, const scree_vec* before, int count)
 {
 	Pipeline* p = &block->pipeline;
@@ -42,7 +49,7 @@ scree_status block_wake(Block* block, const int* rows, const scree_vec* before, 
 	return status;
 }
 
-scree_status block_set_gravity(Block* block, const scree_vec* gravity)
+scree_status block_set_gravity(Block* block, scree_vec* gravity)
 {
 	scree_vec* before = NULL;
 	if (block->pipeline.sleeps)
@@ -54,7 +61,7 @@ scree_status block_set_gravity(Block* block, const scree_vec* gravity)
 			before[row] = block_world_gravity(block, row);
 	}
 	block->gravity = gravity;
-	block->gravity_changed = true;
+	block_gravity_changes(block, 0, block->worlds);
 	block->pipeline.edited = true;
 	scree_status status = block_wake(block, NULL, before, block->worlds);
 	scree_release(before);
@@ -80,22 +87,22 @@ static void find_gravity(Block* block)
 scree_status block_gravity(Block* block)
 {
 	StepRequest* request = &block->request;
-	if (block->gravity_changed)
+	bool varied = block->pipeline.bays.varied, changed = block->pulled_first < block->pulled_end;
+	if (changed)
 		find_gravity(block);
 	bool longer = request->dt != block->gravity_dt || request->substeps != block->gravity_substeps;
-	if (!block->pipeline.bays.varied || !(block->gravity_changed || longer))
-	{
-		block->gravity_changed = false;
+	int first = varied && !longer ? block->pulled_first : 0,
+	    end = varied && !longer ? block->pulled_end : block->worlds;
+	block->pulled_first = block->pulled_end = 0;
+	if (!block->pipeline.bays.varied || !(changed || longer))
 		return SCREE_OK;
-	}
 	if (!block->gravity_rows)
 		block->gravity_rows = scree_allocate(sizeof *block->gravity_rows * (size_t)block->worlds);
 	if (!block->gravity_rows)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the gravity of %d worlds", block->worlds);
-	for (int k = 0; k < block->worlds; ++k)
+	for (int k = first; k < end; ++k)
 		block->gravity_rows[k] = step_gravity(request, block_world_gravity(block, k));
-	block->gravity_changed = false;
 	block->gravity_dt = request->dt;
 	block->gravity_substeps = request->substeps;
-	return block->backend->f->write(block->backend, POOL_bay_gravity, 0, block->worlds, block->gravity_rows);
+	return block->backend->f->write(block->backend, POOL_bay_gravity, first, end - first, block->gravity_rows + first);
 }

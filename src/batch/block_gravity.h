@@ -4,6 +4,9 @@
 #define BLOCK_GRAVITY_H
 #include "batch/block_state.h"
 
+// Notes that the gravity of rows may have changed.
+void block_gravity_changes(Block* block, int first, int end);
+
 // Uploads the gravity of the worlds, and values that depend on it, if they changed. Block.request has the length of the steps
 // that follow.
 scree_status block_gravity(Block* block);
@@ -17,6 +20,6 @@ scree_status block_wake(Block* block, const int* rows, const scree_vec* before, 
 
 // Sets the gravity of all worlds of the batch, m/s^2; null: that of the templates. The array must stay valid. Wakes worlds
 // whose gravity changes.
-scree_status block_set_gravity(Block* block, const scree_vec* gravity);
+scree_status block_set_gravity(Block* block, scree_vec* gravity);
 
 #endif

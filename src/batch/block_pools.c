@@ -2,6 +2,7 @@
 // block_pools.c -- writes templates, and data that all worlds of a template share, into the pools of a block.
 #include "batch/block_pools.h"
 #include "batch/block_fields.h"
+#include "batch/block_own.h"
 #include "platform/error.h"
 #include "pools/bays.h"
 #include "step/bay_layout.h"
@@ -157,9 +158,9 @@ static scree_status fill_excluded(Block* block)
 }
 
 // Appends the chains and branches of a world to those of the block. joint, body: first items of its bay.
-static void add_chains(ChainLayout* to, const Template* from, int joint, int body, int* joints, int* nodes)
+static void add_chains(ChainLayout* to, const ChainSearch* from, int joint, int body, int* joints, int* nodes)
 {
-	const ChainLayout* chains = &from->chains.layout;
+	const ChainLayout* chains = &from->layout;
 	for (int k = 0; k < chains->count; ++k)
 	{
 		ChainRow row = chains->rows[k];
@@ -194,7 +195,8 @@ static scree_status place_chains(Block* block, ChainLayout* all, int joint_slots
 	int joints = 0, nodes = 0;
 	memset(all->spots, -1, sizeof(int) * (size_t)joint_slots);
 	for (int k = 0; k < block->pipeline.live_bays; ++k)
-		add_chains(all, bay_template(block, k), k << bays->joint_bits, k * bays->bodies, &joints, &nodes);
+		add_chains(all, block_own_chains(block, block->row_of[k]), k << bays->joint_bits, k * bays->bodies, &joints,
+		           &nodes);
 	chain_layout(all, b->chain_lanes, b->groups);
 	TRY(chains_upload(&block->pipeline, all));
 	return b->f->write(b, POOL_joint_spot, 0, joint_slots, all->spots);
@@ -207,7 +209,7 @@ static scree_status fill_chains(Block* block)
 	size_t slots = (size_t)live << bays->joint_bits, rows = 0, joints = 0, branches = 0, nodes = 0;
 	for (int k = 0; k < live; ++k)
 	{
-		const ChainSearch* chains = &bay_template(block, k)->chains;
+		const ChainSearch* chains = block_own_chains(block, block->row_of[k]);
 		rows += (size_t)chains->layout.count;
 		joints += (size_t)chains->joints;
 		branches += (size_t)chains->layout.branch_count;
@@ -244,7 +246,7 @@ static bool has_chains(const Block* block)
 		if (block->spare_of[t] >= 0 &&
 		    block->templates[t].chains.layout.count + block->templates[t].chains.layout.branch_count > 0)
 			return true;
-	return false;
+	return block->chains_stale || block_own_has_chains(block);
 }
 
 // Sets the numbers of items in use.
@@ -266,7 +268,20 @@ scree_status block_count(Block* block, int live)
 		return SCREE_OK;
 	if (excluded)
 		TRY(fill_excluded(block));
+	block->chains_stale = false;
 	return chains ? fill_chains(block) : SCREE_OK;
+}
+
+scree_status block_refresh_chains(Block* block)
+{
+	Pipeline* p = &block->pipeline;
+	if (!block->chains_stale || p->live_bays == 0)
+		return SCREE_OK;
+	TRY(bays_live(p, p->live_bays, BAY_COUNT_SPOTS));
+	p->counters.changed = 1; // the next step must not begin its solve before it has read the counters
+	p->dirty = true;
+	block->chains_stale = false;
+	return fill_chains(block);
 }
 
 scree_status block_fill(Block* block)

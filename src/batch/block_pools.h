@@ -11,4 +11,7 @@ scree_status block_fill(Block* block);
 // kinematic bodies and of pairs that never touch, chains.
 scree_status block_count(Block* block, int live);
 
+// Writes the chains of the live bays again if those of some world have changed.
+scree_status block_refresh_chains(Block* block);
+
 #endif

@@ -5,6 +5,7 @@
 #include "batch/block_rows.h"
 #include "batch/block_channels.h"
 #include "batch/block_gravity.h"
+#include "batch/block_own.h"
 #include "batch/block_places.h"
 #include "batch/block_targets.h"
 #include "batch/row_check.h"
@@ -26,14 +27,13 @@ typedef struct // the states in the spare bays of a block
 	RowHead* heads;
 	char** rows;
 	const Template** templates;
+	int* origins; // block_own_origin of the worlds that are saved
 } Staged;
 
 static const Template* template_of_world(const Block* block, int world)
 {
 	return block_template(block, block_row(block, world));
 }
-
-static bool runs(const Block* block, int world) { return block_runs(block, block_row(block, world)); }
 
 static int bay_items(const Bays* bays, int kind)
 {
@@ -70,6 +70,7 @@ static void close_staged(Staged* s)
 	scree_release(s->heads);
 	scree_release(s->rows);
 	scree_release((void*)s->templates);
+	scree_release(s->origins);
 }
 
 static scree_status open_staged(Staged* s, Block* block, const RowWork* work)
@@ -91,7 +92,8 @@ static scree_status open_staged(Staged* s, Block* block, const RowWork* work)
 	s->heads = scree_allocate(sizeof *s->heads * bays_used);
 	s->rows = scree_allocate(sizeof *s->rows * bays_used);
 	s->templates = scree_allocate(sizeof *s->templates * bays_used);
-	if (s->items && s->pair && s->states && s->bays && s->heads && s->rows && s->templates)
+	s->origins = scree_allocate(sizeof *s->origins * bays_used);
+	if (s->items && s->pair && s->states && s->bays && s->heads && s->rows && s->templates && s->origins)
 		return SCREE_OK;
 	return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for the states of %d worlds", work->function, block->stages);
 }
@@ -117,14 +119,12 @@ static void write_head(Staged* s, int n, int world)
 {
 	const Block* block = s->block;
 	const Pipeline* p = &block->pipeline;
-	const Pending* paused = runs(block, world) ? NULL : block->paused + block_row(block, world);
 	uint64_t targets = block_targets_of(block, block_row(block, world));
 	RowHead* head = s->heads + n;
 	int bits = p->bays.contact_bits;
 	*head = (RowHead){.version = s->work->version,
 	                  .fingerprint = s->templates[n]->fingerprint,
 	                  .dt = p->step.dt,
-	                  .surfaces_changed = paused ? paused->surfaces : p->surfaces_changed,
 	                  .state = s->states[n],
 	                  .gravity = block_world_gravity(block, block_row(block, world)),
 	                  .targets = targets,
@@ -145,7 +145,7 @@ static void write_items(Staged* s, PoolId pool)
 		int used = s->heads[n].count[kind];
 		if (kind == ROW_CONTACTS)
 			row_tidy(pool, items, s->pair + ((size_t)n << s->block->pipeline.bays.contact_bits), used);
-		row_shift(pool, items, used, -s->templates[n]->first_attribute);
+		row_shift(pool, items, used, -s->origins[n]);
 		row_layout(s->heads[n].count, at);
 		memcpy(s->rows[n] + at[pool], items, bytes * (size_t)used);
 	}
@@ -187,6 +187,7 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 		int world = s->work->worlds[copies[n]];
 		s->rows[n] = row_of(s->work, copies[n]);
 		s->templates[n] = template_of_world(block, world);
+		s->origins[n] = block_own_origin(block, block_row(block, world));
 		block_add_copy(block, &n, block->bay_of[block_row(block, world)], block->stage + n, -1);
 	}
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, count));
@@ -207,7 +208,14 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 	}
 	TRY(move_visits(s, true));
 	for (int n = 0; n < count; ++n)
+	{
+		const Template* from = s->templates[n];
+		memcpy(s->rows[n] + row_own(s->heads[n].count),
+		       block_own_values(block, block_row(block, s->work->worlds[copies[n]])),
+		       own_bytes(from->bodies, from->collidables, from->joints));
+		row_tidy_dead(s->rows[n], s->heads[n].count);
 		row_seal(s->rows[n], s->heads + n);
+	}
 	return SCREE_OK;
 }
 
@@ -289,7 +297,7 @@ static void note_pending(Block* block, const RowHead* head, int row)
 {
 	Pending pending = {.h = head->state.substep,
 	                   .dirty = block->pipeline.bay_joints || block->pipeline.excluded > 0,
-	                   .surfaces = head->surfaces_changed != 0,
+	                   .surfaces = head->state.surfaces != 0,
 	                   .presses = head->state.presses != 0,
 	                   .taut = head->state.taut_seen != 0};
 	block_targets_set(block, row, head->targets);
@@ -346,6 +354,12 @@ static scree_status load_some(Staged* s)
 	TRY(write_values(s));
 	TRY(bays_copy(&block->pipeline, block->copies, block->rows, s->copies));
 	TRY(wake(s));
+	for (int k = 0; k < s->copies; ++k)
+	{
+		int n = block->copies[k].x - block->stage;
+		TRY(block_own_take(block, block->rows[k], s->rows[n] + row_own(s->heads[n].count)));
+	}
+	TRY(block_own_send(block));
 	TRY(block_begin_touches(block, s->copies));
 	s->count = s->copies = 0;
 	return SCREE_OK;

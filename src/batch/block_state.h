@@ -47,12 +47,15 @@ typedef struct
 	ChannelList lists[CHANNEL_LISTS];
 	bool angles;              // outputs of joints are written in lanes
 	float* converted;         // room for rows of a list that are converted or gathered
-	const scree_vec* gravity; // m/s^2, for each world of the batch; null: that of the templates
+	scree_vec* gravity;       // m/s^2, for each world of the batch; null: that of the templates
 	BayGravity* gravity_rows; // room for one row per world, once worlds have had different gravity
 	bool visits_due;          // true: the worlds have made a step since visits to their sensors were found
-	bool gravity_changed;     // true: the gravity of some world may have changed since the last step
+	int pulled_first;         // rows whose gravity may have changed since the last step: the first one,
+	int pulled_end;           // and one past the last
 	float gravity_dt;         // s: length of the step for which the rows were computed
 	int gravity_substeps;     // and its number of substeps
+	struct BlockOwn* own;     // own values of the worlds; null: all have those of their templates
+	bool chains_stale;        // the chains of some world have changed since they were written
 } Block;
 
 // Returns the number of the world of a row in the batch, its row, and the index of its template.

@@ -4,6 +4,8 @@
 // The first step with dt above 0 reaches them, in each world since it was put back to its template. Commands are those of a
 // world alone (world/objects/targets.c). A block whose templates have no targets has no memory for them.
 #include "batch/block_targets.h"
+#include "batch/block_own.h"
+#include "batch/own_host.h"
 #include "platform/error.h"
 
 scree_status block_targets_open(Block* block)
@@ -62,12 +64,18 @@ void block_targets_set(Block* block, int row, uint64_t set)
 		block->targets[row] = set;
 }
 
-// Returns the pending targets of a world that the next step reaches.
+// Returns the pending targets of a world that the next step reaches: those of disabled bodies stay.
 static uint64_t reached(const Block* block, int row)
 {
+	const Template* from = block_template(block, row);
 	if (block->targets[row] == 0 || !block_runs(block, row))
 		return 0;
-	return block->targets[row] & targets_reached(&block_template(block, row)->targets);
+	Own own = own_of(from, block_own_values(block, row));
+	uint64_t set = block->targets[row];
+	for (int k = 0; k < from->targets.count; ++k)
+		if (own.body[from->targets.items[k].command.index].disabled)
+			set &= ~((uint64_t)1 << k);
+	return set;
 }
 
 static int count_reached(const Block* block)

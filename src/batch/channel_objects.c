@@ -4,6 +4,7 @@
 #include "world/edits.h"
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
+#include "world/objects/mass.h"
 #include "world/units/scale.h"
 #include "world/world.h"
 
@@ -40,6 +41,7 @@ static const KindRow kinds[CHANNEL_KINDS] = {
 int channel_parts(const scree_channel* c) { return c->kind == SCREE_OUTPUT_RAYS ? c->rays : 1; }
 int channel_columns(const scree_channel* c) { return kinds[c->kind].columns * channel_parts(c); }
 bool channel_of_joint(scree_channel_kind kind) { return kinds[kind].of == OF_JOINT; }
+bool channel_is_parameter(int kind) { return kind >= CHANNEL_SET_GRAVITY && kind <= CHANNEL_SET_JOINT_ENABLED; }
 
 static scree_status refuse_channel(ChannelPlace at, const char* text)
 {
@@ -86,10 +88,15 @@ scree_status channel_check(ChannelPlace at, const scree_channel* c, bool inputs)
 	return SCREE_OK;
 }
 
-static scree_status check_body_kind(ChannelPlace at, scree_channel_kind kind, scree_body_type type)
+static scree_status check_body_kind(ChannelPlace at, scree_channel_kind kind, const HostBody* host)
 {
+	scree_body_type type = host->type;
 	if (kind < SCREE_INPUT_VELOCITY && type != SCREE_BODY_DYNAMIC)
 		return refuse_channel(at, "pushes a body that is not dynamic");
+	if (kind == SCREE_INPUT_ENABLED && host->fields > 0)
+		return refuse_channel(at, "enables a body that carries fields");
+	if (kind == SCREE_INPUT_MASS && type != SCREE_BODY_DYNAMIC)
+		return refuse_channel(at, "sets the mass of a body that is not dynamic");
 	if (kind == SCREE_INPUT_VELOCITY && type == SCREE_BODY_STATIC)
 		return refuse_channel(at, "sets the velocity of a static body");
 	if (kind == SCREE_INPUT_TARGET && type != SCREE_BODY_KINEMATIC)
@@ -127,7 +134,7 @@ static scree_status find_body(Channel* made, ChannelPlace at, const scree_channe
 	if (world->def.length_unit != 0.0f)
 		units_scale((double)world->def.length_unit, (char*)&made->place, 4, 1, TO_METRES);
 	made->kind = (int)c->kind;
-	return kinds[c->kind].input ? check_body_kind(at, c->kind, world->host_bodies[made->item].type) : SCREE_OK;
+	return kinds[c->kind].input ? check_body_kind(at, c->kind, world->host_bodies + made->item) : SCREE_OK;
 }
 
 // Finds a collidable, or if it is null a body. Sets the index and returns true if the template has it, or both are null.
@@ -157,12 +164,14 @@ static scree_status find_touch(Channel* made, ChannelPlace at, const scree_chann
 	return SCREE_OK;
 }
 
-static scree_status find_sensor(Channel* made, ChannelPlace at, const scree_channel* c, const scree_world* world)
+static scree_status find_collidable(Channel* made, ChannelPlace at, const scree_channel* c, const scree_world* world)
 {
+	if (scree_collidable_is_null(c->collidable))
+		return refuse_channel(at, "has no collidable");
 	if (!collidable_is_valid(world, c->collidable))
 		return SCREE_OK;
 	made->item = (int)c->collidable.index - 1;
-	if (!world->host_collidables[made->item].sensor)
+	if (c->kind == SCREE_OUTPUT_SENSOR_COUNT && !world->host_collidables[made->item].sensor)
 		return refuse_channel(at, "counts the visitors of a collidable that is no sensor");
 	made->kind = (int)c->kind;
 	return SCREE_OK;
@@ -191,7 +200,7 @@ static scree_status find_joint(Channel* made, ChannelPlace at, const scree_chann
 	made->item = (int)c->joint.index - 1;
 	made->which = (int)c->which;
 	const HostJoint* host = world->host_joints + made->item;
-	if (!kinds[c->kind].input)
+	if (!kinds[c->kind].input || c->kind == SCREE_INPUT_JOINT_ENABLED)
 		return SCREE_OK;
 	const scree_joint_coordinate* coordinate = host->def.coordinates + c->which;
 	bool motor = c->kind == SCREE_INPUT_MOTOR_SPEED || c->kind == SCREE_INPUT_MOTOR_MAX;
@@ -206,12 +215,12 @@ static scree_status find_joint(Channel* made, ChannelPlace at, const scree_chann
 scree_status channel_find(Channel* made, ChannelPlace at, const scree_channel* c, int ray, const scree_world* world)
 {
 	*made = (Channel){.kind = CHANNEL_KINDS, .other = -1};
-	if (kinds[c->kind].of == OF_JOINT)
-		TRY(find_joint(made, at, c, world));
-	else if (c->kind == SCREE_OUTPUT_SENSOR_COUNT)
-		TRY(find_sensor(made, at, c, world));
-	else if (kinds[c->kind].of == OF_WORLD)
+	if (kinds[c->kind].of == OF_WORLD)
 		made->kind = (int)c->kind;
+	else if (kinds[c->kind].of == OF_JOINT)
+		TRY(find_joint(made, at, c, world));
+	else if (c->kind == SCREE_OUTPUT_SENSOR_COUNT || c->kind == SCREE_INPUT_SURFACE)
+		TRY(find_collidable(made, at, c, world));
 	else if (kinds[c->kind].of == OF_COLLIDABLE)
 		TRY(find_touch(made, at, c, world));
 	else
@@ -248,11 +257,43 @@ static int column_power(const scree_channel* c, int k, const scree_world* world)
 	case SCREE_OUTPUT_TOUCH:
 		return k == 2 ? 1 : 0;
 	case SCREE_OUTPUT_RAYS:
+	case SCREE_INPUT_ENABLED:
+	case SCREE_INPUT_JOINT_ENABLED:
 	case SCREE_OUTPUT_SENSOR_COUNT:
 	case SCREE_OUTPUT_NOT_FINITE:
 		return 0;
+	case SCREE_INPUT_GRAVITY:
+		return 1;
+	case SCREE_INPUT_MASS:
+		return k == 0 ? 0 : k == 1 ? 2 : 1;
+	case SCREE_INPUT_SURFACE:
+		return k == 3 ? 1 : 0;
 	default: // poses, velocities and lengths
 		return k < 2 ? 1 : 0;
+	}
+}
+
+// Sets the range of column k of a parameter.
+static void parameter_range(ColumnRule* rule, scree_channel_kind kind, int k)
+{
+	rule->least = -FLT_MAX;
+	rule->most = FLT_MAX;
+	if (kind == SCREE_INPUT_MASS)
+	{
+		rule->least = k == 0 ? LEAST_MASS : k == 1 ? 0.0f : -SCREE_MAX_COORDINATE;
+		rule->most = k < 2 ? MOST_MASS : SCREE_MAX_COORDINATE;
+		rule->part = k == 1 ? PART_INERTIA : -1;
+	}
+	if (kind == SCREE_INPUT_SURFACE)
+	{
+		rule->least = k < 3 ? 0.0f : -SCREE_MAX_COORDINATE;
+		rule->most = k == 1 ? MOST_RESTITUTION : k == 3 ? SCREE_MAX_COORDINATE : MOST_SURFACE;
+	}
+	if (kind == SCREE_INPUT_ENABLED || kind == SCREE_INPUT_JOINT_ENABLED)
+	{
+		rule->least = 0.0f;
+		rule->most = 1.0f;
+		rule->part = PART_SWITCH;
 	}
 }
 
@@ -266,6 +307,8 @@ void channel_rules(ColumnRule* rules, const scree_channel* c, const scree_world*
 		rules[k] = (ColumnRule){.least = c->kind == SCREE_INPUT_MOTOR_MAX ? 0.0f : -most,
 		                        .most = most,
 		                        .power = (int8_t)column_power(c, k, world),
-		                        .part = pose && k == 0 ? 0 : -1};
+		                        .part = pose && k == 0 ? PART_POSE : -1};
+		if (channel_is_parameter((int)c->kind))
+			parameter_range(rules + k, c->kind, k);
 	}
 }

@@ -12,8 +12,12 @@ typedef struct // the rule for the values of a column
 {
 	float least, most;
 	int8_t power; // power of length
-	int8_t part;  // 0 for the first column of a pose, otherwise -1
+	int8_t part;  // PART_*, or -1 if the range is the whole rule
 } ColumnRule;
+
+#define PART_POSE    0 // first column of a pose
+#define PART_INERTIA 1 // 0, or at least LEAST_INERTIA
+#define PART_SWITCH  2 // 0 or 1
 
 typedef struct
 {
@@ -25,6 +29,9 @@ typedef struct
 int channel_columns(const scree_channel* channel);
 int channel_parts(const scree_channel* channel);
 bool channel_of_joint(scree_channel_kind kind);
+
+// Returns whether a kind of input is a parameter, which the host applies (block_own.h).
+bool channel_is_parameter(int kind);
 
 // Checks a channel without its objects.
 scree_status channel_check(ChannelPlace at, const scree_channel* channel, bool inputs);

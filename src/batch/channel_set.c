@@ -2,6 +2,7 @@
 // channel_set.c -- sorts the channels of a list into groups, and finds their objects in each template.
 #include "batch/channel_set.h"
 #include "batch/channel_objects.h"
+#include "world/objects/mass.h"
 #include "world/units/scale.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,6 +29,9 @@ static int compare_parts(const void* x, const void* y)
 	return a->from != b->from ? a->from - b->from : a->ray - b->ray;
 }
 
+// Returns the number of parts that kernels process. Parameters are applied by the host.
+static int parts_of(const scree_channel* c) { return channel_is_parameter((int)c->kind) ? 0 : channel_parts(c); }
+
 // Lists the parts in the order of groups. Touches and rays are groups of their own, because each takes long.
 static void list_parts(Part* parts, const scree_channel* channels, int count)
 {
@@ -36,7 +40,7 @@ static void list_parts(Part* parts, const scree_channel* channels, int count)
 	{
 		const scree_channel* c = channels + k;
 		bool ray = c->kind == SCREE_OUTPUT_RAYS;
-		for (int r = 0; r < channel_parts(c); ++r, ++n)
+		for (int r = 0; r < parts_of(c); ++r, ++n)
 		{
 			parts[n] = (Part){.from = k, .ray = r, .column = column + r, .class = ray ? 2 : channel_of_joint(c->kind)};
 			parts[n].object = parts[n].class == 1 ? c->joint.index : c->body.index;
@@ -68,16 +72,20 @@ static void note_kind(ChannelSet* set, scree_channel_kind kind)
 	set->acts |= kind == SCREE_INPUT_FORCE || kind == SCREE_INPUT_THRUST || kind == SCREE_INPUT_TORQUE;
 	set->touches |= kind == SCREE_OUTPUT_TOUCH;
 	set->poses |= kind == SCREE_INPUT_POSE || kind == SCREE_INPUT_TARGET;
+	set->parameters += channel_is_parameter((int)kind);
+	set->pulls |= kind == SCREE_INPUT_GRAVITY;
+	set->owns |= channel_is_parameter((int)kind) && kind != SCREE_INPUT_GRAVITY;
 }
 
 static scree_status allocate(ChannelSet* set, const char* function, int parts, int templates)
 {
 	set->channels = scree_allocate(sizeof *set->channels * (size_t)(parts * templates + 1));
 	set->group = scree_allocate(sizeof *set->group * (size_t)(parts + 1));
+	set->parameter = scree_allocate(sizeof *set->parameter * (size_t)(set->parameters * templates + 1));
 	set->rules = scree_allocate(sizeof *set->rules * (size_t)(set->columns + 1));
 	set->least = scree_allocate(sizeof(float) * (size_t)(2 * BOUND_ROWS * set->columns + 1));
 	set->most = set->least + BOUND_ROWS * set->columns;
-	if (!set->channels || !set->group || !set->rules || !set->least)
+	if (!set->channels || !set->group || !set->parameter || !set->rules || !set->least)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d channels", function, parts);
 	return SCREE_OK;
 }
@@ -106,6 +114,42 @@ static scree_status find_objects(ChannelSet* set, const char* function, const Pa
 	return SCREE_OK;
 }
 
+// Finds the objects of the parameters. Fails if no template has the object of one.
+static scree_status find_parameters(ChannelSet* set, const char* function, const scree_channel* channels, int count,
+                                    const Template* templates, int template_count)
+{
+	for (int k = 0, n = 0, column = 0; k < count; column += channel_columns(channels + k++))
+	{
+		bool found = false;
+		if (!channel_is_parameter((int)channels[k].kind))
+			continue;
+		for (int t = 0; t < template_count; ++t)
+		{
+			Channel* made = set->parameter + t * set->parameters + n;
+			TRY(channel_find(made, (ChannelPlace){function, k, t}, channels + k, 0, templates[t].world));
+			made->column = column;
+			found |= made->kind != CHANNEL_KINDS;
+			if (made->kind != CHANNEL_KINDS)
+				channel_rules(set->rules + column, channels + k, templates[t].world);
+		}
+		if (!found)
+			return fail(SCREE_ERROR_STALE, "%s: channels[%d] has an object that no template has", function, k);
+		++n;
+	}
+	return SCREE_OK;
+}
+
+// Sets the bounds of BOUND_ROWS rows.
+static void repeat_bounds(ChannelSet* set)
+{
+	for (int k = 0; k < BOUND_ROWS * set->columns; ++k)
+	{
+		set->least[k] = set->rules[k % set->columns].least;
+		set->most[k] = set->rules[k % set->columns].most;
+		set->parts |= set->rules[k % set->columns].part > PART_POSE;
+	}
+}
+
 scree_status channels_open(ChannelSet* set, const char* function, bool inputs, const scree_channel* channels, int count,
                            const Template* templates, int template_count)
 {
@@ -116,7 +160,7 @@ scree_status channels_open(ChannelSet* set, const char* function, bool inputs, c
 		TRY(channel_check((ChannelPlace){function, k, 0}, channels + k, inputs));
 		note_kind(set, channels[k].kind);
 		set->columns += channel_columns(channels + k);
-		parts_count += channel_parts(channels + k);
+		parts_count += parts_of(channels + k);
 		if (set->columns > MOST_COLUMNS)
 			return fail(SCREE_ERROR_INVALID, "%s: channels have more than %d columns", function, MOST_COLUMNS);
 	}
@@ -132,11 +176,9 @@ scree_status channels_open(ChannelSet* set, const char* function, bool inputs, c
 	set->count = parts_count;
 	scree_status status = find_objects(set, function, parts, parts_count, channels, templates, template_count);
 	scree_release(parts);
-	for (int k = 0; k < BOUND_ROWS * set->columns; ++k)
-	{
-		set->least[k] = set->rules[k % set->columns].least;
-		set->most[k] = set->rules[k % set->columns].most;
-	}
+	if (status == SCREE_OK)
+		status = find_parameters(set, function, channels, count, templates, template_count);
+	repeat_bounds(set);
 	return status;
 }
 
@@ -144,6 +186,7 @@ void channels_close(ChannelSet* set)
 {
 	scree_release(set->channels);
 	scree_release(set->group);
+	scree_release(set->parameter);
 	scree_release(set->rules);
 	scree_release(set->least);
 	*set = (ChannelSet){.count = 0};
@@ -172,6 +215,19 @@ static bool rows_are_valid(const ChannelSet* set, const float* rows, int count)
 	return !wrong;
 }
 
+// Returns whether the inertias and the switches of rows in range are allowed.
+static bool parts_are_valid(const ChannelSet* set, const float* rows, int count)
+{
+	bool wrong = false;
+	for (int k = 0; k < set->columns && set->parts; ++k)
+		for (int n = 0; n < count && set->rules[k].part > PART_POSE; ++n)
+		{
+			float x = rows[(size_t)n * (size_t)set->columns + (size_t)k];
+			wrong |= x != 0.0f && (set->rules[k].part == PART_SWITCH ? x != 1.0f : x < LEAST_INERTIA);
+		}
+	return !wrong;
+}
+
 static scree_status check_row(const ChannelSet* set, const char* function, const float* row, int world)
 {
 	char name[48];
@@ -181,7 +237,11 @@ static scree_status check_row(const ChannelSet* set, const char* function, const
 		ArgumentPlace at = {function, name, k};
 		float least = set->rules[k].least, most = set->rules[k].most;
 		TRY(check_real(at, "", row[k], least, most));
-		if (set->rules[k].part != 0)
+		if (set->rules[k].part == PART_INERTIA && row[k] != 0.0f)
+			TRY(check_real(at, " (when it is not 0)", row[k], LEAST_INERTIA, most));
+		if (set->rules[k].part == PART_SWITCH && row[k] != 0.0f && row[k] != 1.0f)
+			return refuse(SCREE_ERROR_INVALID, at, "", "is %s, must be 0 or 1", decimal(row[k]).text);
+		if (set->rules[k].part != PART_POSE)
 			continue;
 		scree_pose pose = {{row[k], row[k + 1]}, {row[k + 2], row[k + 3]}};
 		TRY(check_pose(at, "", &pose));
@@ -192,8 +252,9 @@ static scree_status check_row(const ChannelSet* set, const char* function, const
 scree_status channels_check(const ChannelSet* set, const char* function, const float* rows, int first, int count,
                             const uint8_t* mask)
 {
-	if (!set->poses && set->unit == 0.0 && !mask &&
-	    rows_are_valid(set, rows + (size_t)first * (size_t)set->columns, count))
+	const float* begin = rows + (size_t)first * (size_t)set->columns;
+	if (!set->poses && set->unit == 0.0 && !mask && rows_are_valid(set, begin, count) &&
+	    parts_are_valid(set, begin, count))
 		return SCREE_OK;
 	for (int k = first; k < first + count; ++k)
 	{
@@ -217,7 +278,7 @@ void channels_put(const ChannelSet* set, float* to, const float* from)
 	memcpy(to, from, sizeof(float) * (size_t)set->columns);
 	for (int k = 0; k < set->columns && set->poses; ++k)
 	{
-		if (set->rules[k].part != 0)
+		if (set->rules[k].part != PART_POSE)
 			continue;
 		scree_pose pose = {{0.0f, 0.0f}, {to[k + 2], to[k + 3]}};
 		check_pose((ArgumentPlace){"", "", ALONE}, "", &pose); // normalizes the rotation

@@ -16,6 +16,10 @@ typedef struct
 	Backend* pins;              // device that pins it; null: it is ordinary memory
 	Channel* channels;          // for each template, those of all groups
 	int* group;                 // first channel of each group, then `count`
+	int parameters;             // number of inputs that are parameters
+	Channel* parameter;         // for each template, those
+	bool pulls, owns;           // some parameter is gravity; some is another one
+	bool parts;                 // some column of a parameter has a rule beside its range
 	ColumnRule* rules;          // for each column
 	float *least, *most;        // bounds of the values of several rows
 	double unit;                // unit of length, m; 0 for metres

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// fingerprint.c -- computes the hash of what no step of a world changes.
+// fingerprint.c -- computes the hash of what neither steps nor inputs of a world change.
 //
 // Worlds with equal fingerprints may exchange states.
 #include "batch/fingerprint.h"
+#include "batch/row_structure.h"
 #include "dialect/hash_word.h"
+#include "world/pool_values.h"
 #include <string.h>
-
-// Bits of joint_flags that only calls of the user change.
-#define JOINT_STRUCTURE (JOINT_THERE | JOINT_ACTIVE | JOINT_COLLIDES | JOINT_CAN_BREAK | JOINT_ACTS)
 
 static Word64 hash_bytes(Word64 h, const void* bytes, size_t size)
 {
@@ -20,75 +19,49 @@ static Word64 hash_bytes(Word64 h, const void* bytes, size_t size)
 	return h;
 }
 
-void body_structure(const Template* from, int i, BodyStructure* to)
+// Hashes a body without its mass, which inputs of a batch may set. Without such a mass, it follows from the collidables.
+static Word64 hash_body(Word64 h, const Template* from, const scree_world* world, int i)
 {
-	const BodyState* body = from->image.body + i;
-	const Motion* motion = from->image.motion + i;
-	memset(to, 0, sizeof *to);
-	to->local_center = from->image.local_center[i];
-	to->continuous = from->image.continuous_body[i];
-	to->sleep_threshold = from->image.sleep_threshold[i];
-	to->inv_mass = body->inv_mass;
-	to->inv_inertia = body->inv_inertia;
-#define X(name, least, most, value) to->values.name = motion->name;
+	const HostBody* host = world->host_bodies + i;
+	if (!slots_in_use(&world->bodies, i))
+		return hash_word(h, 0);
+	h = hash_word(hash_word(hash_word(h, 1), (Word)host->type), host->locks);
+#define X(name, least, most, value) h = hash_float(h, host->values.name);
 #include "pools/body_values.def"
-	int sleep = from->image.sleep[i]; // a sleeping body keeps its locks there
-	to->free_x = sleep ? (sleep & SLEEP_LOCK_X ? 0.0f : 1.0f) : motion->free_x;
-	to->free_y = sleep ? (sleep & SLEEP_LOCK_Y ? 0.0f : 1.0f) : motion->free_y;
+	return hash_float(h, from->image.sleep_threshold[i]);
 }
 
-void collidable_structure(const Template* from, int i, CollidableStructure* to)
+_Static_assert(sizeof(scree_shape) % sizeof(Word) == 0, "a shape consists of words");
+
+// Hashes an attribute without its surface.
+static Word64 hash_core(Word64 h, const scree_attribute_def* def)
 {
-	const Filter* filter = from->image.filter + i;
-	memset(to, 0, sizeof *to);
-	to->kind = from->image.collidable_kind[i];
-	if (to->kind == KIND_DEAD)
-		return;
-	to->body = from->image.collidable_body[i];
-	to->attribute = from->image.collidable_attribute[i] - from->first_attribute;
-	to->next = from->image.next_collidable[i];
-	to->pose = from->image.collidable_pose[i];
-	to->category = filter->category;
-	to->mask = filter->mask;
-	to->group = filter->group;
-	to->reports = filter->reports;
+	h = hash_bytes(h, &def->shape, sizeof def->shape);
+	h = hash_float(hash_float(hash_float(h, def->density), def->one_way.x), def->one_way.y);
+	return hash_word(h, (Word)def->material);
 }
 
-void joint_structure(const Template* from, int i, JointStructure* to)
+static Word64 hash_collidable(Word64 h, const scree_world* world, int i)
 {
-	memset(to, 0, sizeof *to);
-	to->flags = from->image.joint_flags[i] & JOINT_STRUCTURE;
-	if (!(to->flags & JOINT_THERE))
-		return;
-	to->data = from->image.joint_data[i];
-	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		to->data.lock[k].target = to->data.drive[k].speed = to->data.drive[k].motor_most = 0.0f;
+	const HostCollidable* host = world->host_collidables + i;
+	if (!slots_in_use(&world->collidables, i))
+		return hash_word(h, 0);
+	h = hash_word(hash_word(hash_word(h, 1), (Word)host->body), (Word)host->next);
+	h = hash_float4(h, pose_row(host->pose));
+	h = hash_bytes(h, &host->filter.category, sizeof host->filter.category);
+	h = hash_bytes(h, &host->filter.mask, sizeof host->filter.mask);
+	h = hash_word(hash_word(h, (Word)host->filter.group), report_bits(host));
+	return hash_core(hash_word(h, host->sensor), world->attributes + host->attribute);
 }
 
-static Word64 hash_body(Word64 h, const Template* from, int i)
-{
-	BodyStructure body;
-	body_structure(from, i, &body);
-	return hash_bytes(h, &body, sizeof body);
-}
-
-static Word64 hash_collidable(Word64 h, const Template* from, int i)
-{
-	static const PoolId shapes[] = {POOL_attribute, POOL_thickness, POOL_rule};
-	CollidableStructure collidable;
-	collidable_structure(from, i, &collidable);
-	h = hash_bytes(h, &collidable, sizeof collidable);
-	for (size_t k = 0; k < sizeof shapes / sizeof *shapes && collidable.kind != KIND_DEAD; ++k)
-		h = hash_bytes(h, template_item(from, shapes[k], from->image.collidable_attribute[i]),
-		               pool_info[shapes[k]].bytes);
-	return h;
-}
-
-static Word64 hash_joint(Word64 h, const Template* from, int i)
+// Hashes a joint without the values that inputs of a batch change.
+static Word64 hash_joint(Word64 h, const Template* from, const scree_world* world, int i)
 {
 	JointStructure joint;
-	joint_structure(from, i, &joint);
-	return hash_bytes(h, &joint, sizeof joint);
+	joint_structure(&from->image, i, &joint);
+	joint.flags &= ~(JOINT_ACTIVE | JOINT_COLLIDES);
+	h = hash_bytes(h, &joint, sizeof joint);
+	return joint.flags & JOINT_THERE ? hash_word(h, world->host_joints[i].def.collide_connected) : h;
 }
 
 static Word64 hash_settings(Word64 h, const StepRequest* request)
@@ -100,17 +73,20 @@ static Word64 hash_settings(Word64 h, const StepRequest* request)
 	return hash_bytes(h, values, sizeof values);
 }
 
-uint64_t fingerprint_of(const Template* from)
+uint64_t fingerprint_of(const Template* from, const scree_world* world)
 {
 	Word64 h = hash_settings(from->hidden, &from->request);
 	h = hash_word(hash_word(h, (Word)from->bodies), (Word)from->collidables);
-	h = hash_word(hash_word(h, (Word)from->joints), (Word)from->attributes);
+	h = hash_word(h, (Word)from->joints);
 	for (int k = 0; k < from->bodies; ++k)
-		h = hash_body(h, from, k);
+		h = hash_body(h, from, world, k);
 	for (int k = 0; k < from->collidables; ++k)
-		h = hash_collidable(h, from, k);
+		h = hash_collidable(h, world, k);
+	for (int k = 0; k < from->own_rules.attributes; ++k)
+		if (from->own_rules.claimed[k])
+			h = hash_word(h, (Word)k);
 	for (int k = 0; k < from->joints; ++k)
-		h = hash_joint(h, from, k);
+		h = hash_joint(h, from, world, k);
 	Word64 kinematics = 0; // their list has no order
 	for (int k = 0; k < from->request.kinematic; ++k)
 		kinematics += hash_word(0, (Word)from->kinematics[k]);

@@ -2,9 +2,10 @@
 // row_check.c -- checks the items of a row, which may come from anywhere, before a batch gets them.
 //
 // A checksum finds damage, not intent. The checks are those of a snapshot (world/snapshot/), as far as a row has the same
-// items; what no step changes must be equal to the template.
+// items; what no step changes must be that of the template with the own values of the row.
 #include "batch/row_check.h"
-#include "batch/fingerprint.h"
+#include "batch/own_check.h"
+#include "batch/row_structure.h"
 #include "constraints/constraint_kinds.h"
 #include "platform/error.h"
 #include "world/snapshot/color_check.h"
@@ -35,7 +36,7 @@ static bool is_sleep(int sleep, int bodies)
 static scree_status check_head(const ChunkIndex* index, const RowHead* head)
 {
 	const BayState* state = &head->state;
-	CHECK_HEAD(is_positive(head->dt) && is_truth(head->surfaces_changed));
+	CHECK_HEAD(is_positive(head->dt) && is_truth(state->surfaces) && is_truth(state->surfaces_used));
 	CHECK_HEAD(is_positive(state->substep) && is_positive(state->h_ratio));
 	CHECK_HEAD(is_truth(state->press[0]) && is_truth(state->press[1]) && is_truth(state->ways));
 	CHECK_HEAD(is_truth(state->presses) && is_truth(state->joints_dirty) && is_truth(state->taut));
@@ -43,19 +44,20 @@ static scree_status check_head(const ChunkIndex* index, const RowHead* head)
 	CHECK_HEAD(is_positive_bits(state->penetration) && is_positive_bits(state->joint_gap));
 	CHECK_HEAD(in_range(state->nonfinite, 0, head->count[ROW_BODIES] + 1) && state->steps >= 0);
 	CHECK_HEAD(is_truth(state->drowsy) && is_truth(state->joined_islands) && is_truth(state->settles));
-	CHECK_HEAD(is_truth(state->searches) && is_truth(state->woken) && head->unused == 0);
+	CHECK_HEAD(is_truth(state->searches) && is_truth(state->woken));
 	CHECK_HEAD(fabsf(head->gravity.x) <= FLT_MAX && fabsf(head->gravity.y) <= FLT_MAX);
 	return SCREE_OK;
 }
 
-static scree_status check_bodies(const ChunkIndex* index, const Template* from, const Pools* row, const Template* view)
+static scree_status check_bodies(const ChunkIndex* index, const Expected* expected, const Pools* row)
 {
+	const Template* from = expected->from;
 	for (int k = 0; k < from->bodies; ++k)
 	{
 		BodyStructure is, must;
 		const Press* press = row->press + k;
-		body_structure(view, k, &is);
-		body_structure(from, k, &must);
+		body_structure(row, k, &is);
+		expected_body(expected, k, &must);
 		CHECK_ITEM(memcmp(&is, &must, sizeof is) == 0, "body", k);
 		CHECK_ITEM(k == 0 || !slots_in_use(&from->world->bodies, k) || is_turn(row->pose[k].z, row->pose[k].w), "pose",
 		           k);
@@ -70,37 +72,44 @@ static scree_status check_bodies(const ChunkIndex* index, const Template* from, 
 	return SCREE_OK;
 }
 
-static scree_status check_collidables(const ChunkIndex* index, const Template* from, const Pools* row,
-                                      const Template* view)
+// Returns whether a number is that of an attribute of the template, or of the collidable.
+static bool is_attribute(const Expected* e, int collidable, int number)
 {
+	return in_range(number, 0, e->from->attributes) || (e->host && number == e->own.collidable[collidable].attribute);
+}
+
+static scree_status check_collidables(const ChunkIndex* index, const Expected* expected, const Pools* row)
+{
+	const Template* from = expected->from;
 	for (int k = 0; k < from->collidables; ++k)
 	{
 		CollidableStructure is, must;
 		WorldShape shape = row->world_shape[k];
-		collidable_structure(view, k, &is);
-		collidable_structure(from, k, &must);
+		collidable_structure(row, k, 0, &is);
+		expected_collidable(expected, k, &must);
 		CHECK_ITEM(memcmp(&is, &must, sizeof is) == 0, "collidable", k);
 		// kernels also read the items of free slots
 		CHECK_ITEM(in_range(row->collidable_body[k], -1, from->bodies), "collidable_body", k);
-		CHECK_ITEM(in_range(row->collidable_attribute[k], 0, from->attributes), "collidable_attribute", k);
+		CHECK_ITEM(is_attribute(expected, k, row->collidable_attribute[k]), "collidable_attribute", k);
 		CHECK_ITEM(in_range(row->next_collidable[k], 0, from->collidables + 1), "next_collidable", k);
 		CHECK_ITEM((row->collidable_flags[k] & ~FLAGS_OF_COLLIDABLES) == 0, "collidable_flags", k);
-		CHECK_ITEM(in_range(shape.attribute, 0, from->attributes), "world_shape", k);
+		CHECK_ITEM(is_attribute(expected, k, shape.attribute), "world_shape", k);
 		CHECK_ITEM(in_range(shape.body, -1, from->bodies), "world_shape", k);
 		CHECK_ITEM(fabsf(shape.x) <= EMPTY_LOW && fabsf(shape.y) <= EMPTY_LOW, "world_shape", k);
 	}
 	return SCREE_OK;
 }
 
-static scree_status check_joints(const ChunkIndex* index, const Template* from, const Pools* row, const Template* view)
+static scree_status check_joints(const ChunkIndex* index, const Expected* expected, const Pools* row)
 {
+	const Template* from = expected->from;
 	for (int k = 0; k < from->joints; ++k)
 	{
 		JointStructure is, must;
 		const JointData* data = row->joint_data + k;
 		Int2 bodies = row->joint_bodies[k];
-		joint_structure(view, k, &is);
-		joint_structure(from, k, &must);
+		joint_structure(row, k, &is);
+		expected_joint(expected, k, &must);
 		CHECK_ITEM(memcmp(&is, &must, sizeof is) == 0, "joint", k);
 		CHECK_ITEM(in_range(data->body_a, 0, from->bodies) && in_range(data->body_b, 0, from->bodies), "joint_data", k);
 		CHECK_ITEM(in_range(bodies.x, 0, from->bodies) && in_range(bodies.y, 0, from->bodies), "joint_bodies", k);
@@ -117,8 +126,10 @@ static scree_status check_joints(const ChunkIndex* index, const Template* from, 
 	return SCREE_OK;
 }
 
-static scree_status check_items(const ChunkIndex* index, const RowHead* head, const Template* from, void* const* pools)
+static scree_status check_items(const ChunkIndex* index, const RowHead* head, const Expected* expected,
+                                void* const* pools)
 {
+	const Template* from = expected->from;
 	bool reports = from->pipeline.reports || from->request.reports;
 	const ItemCounts counts = {.bodies = from->bodies,
 	                           .collidables = from->collidables,
@@ -130,26 +141,45 @@ static scree_status check_items(const ChunkIndex* index, const RowHead* head, co
 	                           .unused = (reports ? 0 : CONTACT_REPORTS | CONTACT_TOUCHED) |
 	                                     (from->pipeline.platforms ? 0 : CONTACT_PASSES | CONTACT_SUNK) |
 	                                     (from->request.sleep ? 0 : CONTACT_ASLEEP) | CONTACT_APPROVALS};
-	Template view = {.attributes = from->attributes};
-#define X(type, name, per, role) view.image.name = pools[POOL_##name];
+	Pools row;
+	memset(&row, 0, sizeof row);
+#define X(type, name, per, role) row.name = pools[POOL_##name];
 #include "pools/pools.def"
 	TRY(check_head(index, head));
 	TRY(floats_check(index, &counts, pools));
-	TRY(check_bodies(index, from, &view.image, &view));
-	TRY(check_collidables(index, from, &view.image, &view));
+	TRY(check_bodies(index, expected, &row));
+	TRY(check_collidables(index, expected, &row));
 	TRY(contacts_check(index, &counts, pools));
-	TRY(check_joints(index, from, &view.image, &view));
+	TRY(check_joints(index, expected, &row));
 	return color_check(index, &counts, pools);
+}
+
+// Checks a row at an address with the alignment of its items.
+static scree_status check_aligned(const ChunkIndex* index, const RowHead* head, const Template* from, char* row)
+{
+	size_t at[POOL_COUNT];
+	void* pools[POOL_COUNT];
+	char* values = row + row_own(head->count);
+	Expected expected = {.from = from};
+	row_layout(head->count, at);
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+		pools[pool] = row_kind((PoolId)pool) < 0 ? NULL : row + at[pool];
+	if (memcmp(values, from->own, own_size(from)) == 0)
+		return check_items(index, head, &expected, pools);
+	expected.own = own_of(from, values);
+	TRY(own_check(index, from, expected.own));
+	TRY(own_host_open(&expected.host, from->world));
+	own_host_set(expected.host, from, expected.own);
+	scree_status status = check_items(index, head, &expected, pools);
+	own_host_close(expected.host);
+	return status;
 }
 
 scree_status row_check(const char* row, const RowHead* head, const Template* from, const char* function, int number)
 {
 	char subject[64], *copy = NULL;
-	size_t at[POOL_COUNT];
-	void* pools[POOL_COUNT];
 	snprintf(subject, sizeof subject, "state %d is refused", number);
 	const ChunkIndex index = {.function = function, .subject = subject};
-	row_layout(head->count, at);
 	if ((uintptr_t)row % ROW_ALIGN != 0)
 	{
 		copy = scree_allocate((size_t)head->bytes);
@@ -157,9 +187,7 @@ scree_status row_check(const char* row, const RowHead* head, const Template* fro
 			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory to check a state", function);
 		memcpy(copy, row, (size_t)head->bytes);
 	}
-	for (int pool = 0; pool < POOL_COUNT; ++pool)
-		pools[pool] = row_kind((PoolId)pool) < 0 ? NULL : (char*)(copy ? copy : row) + at[pool];
-	scree_status status = check_items(&index, head, from, pools);
+	scree_status status = check_aligned(&index, head, from, copy ? copy : (char*)row);
 	scree_release(copy);
 	return status;
 }

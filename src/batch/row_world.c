@@ -22,7 +22,6 @@ scree_status row_of_world(const Template* read, uint64_t targets, uint64_t targe
 	RowHead head = {.version = row_version(),
 	                .fingerprint = read->fingerprint,
 	                .dt = p->step.dt,
-	                .surfaces_changed = p->surfaces_changed,
 	                .state = template_state(read),
 	                .gravity = read->request.gravity,
 	                .targets = targets,
@@ -43,6 +42,8 @@ scree_status row_of_world(const Template* read, uint64_t targets, uint64_t targe
 			row_tidy((PoolId)pool, items, read->image.pair, head.count[kind]);
 	}
 	memcpy(*row + at[POOL_bay_visit], read->visits.bits, sizeof(Word) * (size_t)visits_of(&read->visits));
+	memcpy(*row + row_own(head.count), read->own, own_bytes(read->bodies, read->collidables, read->joints));
+	row_tidy_dead(*row, head.count);
 	row_seal(*row, &head);
 	return SCREE_OK;
 }
@@ -110,7 +111,7 @@ static void set_duties(Pipeline* p, const RowHead* head)
 	step->paths = p->paths;
 	step->has_rolling = p->has_rolling;
 	p->taut = head->state.taut_seen;
-	p->surfaces_changed |= head->surfaces_changed != 0;
+	p->surfaces_changed = head->state.surfaces != 0;
 	p->dirty = p->counters.joints + p->excluded > 0;
 	p->split = p->reverted = p->rested = false;
 	p->edited = true;
@@ -205,10 +206,33 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 	return visits_give(world, &from->visits, row + at[POOL_bay_visit]);
 }
 
-scree_status world_take_row(scree_world* world, const Template* from, const char* row)
+// Gives a copy of the template the own values of a row, and uploads them, so that the host has all that follows from them.
+static scree_status take_own(scree_world* world, const char* function, const Template* from, const RowHead* head,
+                             const char* row)
+{
+	int bodies = from->bodies, collidables = from->collidables, joints = from->joints;
+	size_t bytes = own_bytes(bodies, collidables, joints);
+	if (memcmp(row + row_own(head->count), from->own, bytes) == 0)
+		return SCREE_OK;
+	char* values = scree_allocate(bytes);
+	if (!values)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for the masses and surfaces of a world", function);
+	memcpy(values, row + row_own(head->count), bytes);
+	scree_status status = own_apply(world, function, own_view(from->own, bodies, collidables, joints),
+	                                own_view(values, bodies, collidables, joints));
+	if (status == SCREE_OK)
+		status = world_upload_to_step(world);
+	if (status == SCREE_OK)
+		own_chains_before(world, own_view(values, bodies, collidables, joints));
+	scree_release(values);
+	return status;
+}
+
+scree_status world_take_row(scree_world* world, const char* function, const Template* from, const char* row)
 {
 	RowHead head;
 	memcpy(&head, row, sizeof head);
 	targets_keep(&from->targets, head.targets, world);
+	TRY(take_own(world, function, from, &head, row));
 	return world_note(world, take_items(world, from, &head, row));
 }

@@ -12,6 +12,6 @@ scree_status row_of_world(const Template* read, uint64_t targets, uint64_t targe
 
 // Puts a world, which was restored from the snapshot of a template, into the state of a row, which was checked. row:
 // begins memory of scree_allocate, so that its items are aligned.
-scree_status world_take_row(scree_world* world, const Template* from, const char* row);
+scree_status world_take_row(scree_world* world, const char* function, const Template* from, const char* row);
 
 #endif

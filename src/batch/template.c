@@ -169,9 +169,9 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	made->contacts = c->contacts;
 	made->joints = c->joints;
 	TRY(targets_read(world, function, number, &made->targets));
-	made->hidden =
-	    world_hidden_hash(world) - world_visits_hash(world) - targets_hash(&made->targets, targets_all(&made->targets));
+	made->hidden = hidden_hash_rest(world);
 	read_settings(world, made);
+	TRY(own_read(world, function, made->joints, &made->own, &made->own_rules));
 	size_t kinematics = (size_t)world->kinematic_count;
 	made->kinematics = scree_allocate(sizeof(int) * (kinematics + 1));
 	if (!made->kinematics)
@@ -196,6 +196,7 @@ BayState template_state(const Template* from)
 	                  .joints_dirty = c->joints_dirty && from->contacts > 0,
 	                  .penetration = c->penetration,
 	                  .joint_gap = c->joint_gap,
+	                  .surfaces = from->pipeline.surfaces_changed,
 	                  .nonfinite = c->nonfinite,
 	                  .substep = from->pipeline.step.h,
 	                  .steps = (int)from->pipeline.steps,
@@ -243,5 +244,7 @@ void template_close(Template* made)
 	scree_release(made->kinematics);
 	visits_close(&made->visits);
 	scree_release(made->targets.items);
+	scree_release(made->own);
+	own_rules_close(&made->own_rules);
 	*made = (Template){.bodies = 0};
 }

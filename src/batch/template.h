@@ -2,6 +2,7 @@
 // template.h -- reads a world as the template of worlds of a batch, into host memory.
 #ifndef BATCH_TEMPLATE_H
 #define BATCH_TEMPLATE_H
+#include "batch/own_values.h"
 #include "batch/template_targets.h"
 #include "batch/visit_bits.h"
 #include "world/chain/chain_search.h"
@@ -17,8 +18,10 @@ typedef struct
 	int material_table;  // number of its table of pairs of materials; 0, an empty one, if it has none
 	Pipeline pipeline;   // flags, counters and constants of the last step; owns no memory
 	StepRequest request; // settings of a step; without arrays
-	uint64_t hidden;     // the part of the hash that only the host has, without visits to sensors and pending targets
-	ChainSearch chains;  // chains and branches
+	uint64_t hidden;     // hidden_hash_rest of the world
+	char* own;           // own values of the world (own_values.h)
+	OwnRules own_rules;
+	ChainSearch chains; // chains and branches
 	char* chain_memory;
 	int* kinematics; // indices of the kinematic bodies
 	VisitBits visits;

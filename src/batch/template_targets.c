@@ -38,9 +38,8 @@ scree_status targets_read(const scree_world* world, const char* function, int nu
 		TemplateTarget* to = made->items + k;
 		to->command = (Command){.kind = COMMAND_TARGET, .index = target->body, .value = pose_row(target->pose)};
 		to->command.whole[0] = (int)host->locks;
-		to->command.whole[1] = command_bits(world, target->body);
-		to->hash = target_hash(target->body, target->pose);
-		to->reached = !host->disabled;
+		to->command.whole[1] = command_bits(world, target->body) & COMMAND_JOINED;
+		to->hash = hidden_hash_target(target->body, target->pose);
 	}
 	qsort(made->items, (size_t)count, sizeof *made->items, compare);
 	return SCREE_OK;
@@ -49,14 +48,6 @@ scree_status targets_read(const scree_world* world, const char* function, int nu
 uint64_t targets_all(const TemplateTargets* from)
 {
 	return from->count < MOST_TARGETS ? ((uint64_t)1 << from->count) - 1 : UINT64_MAX;
-}
-
-uint64_t targets_reached(const TemplateTargets* from)
-{
-	uint64_t set = 0;
-	for (int k = 0; k < from->count; ++k)
-		set |= (uint64_t)from->items[k].reached << k;
-	return set;
 }
 
 uint64_t targets_hash(const TemplateTargets* from, uint64_t set)

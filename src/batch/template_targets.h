@@ -12,7 +12,6 @@ typedef struct // pending target of a kinematic body
 {
 	Command command; // before the step: COMMAND_TARGET, with the index of the body in the world
 	uint64_t hash;   // its part of the hash of the world
-	bool reached;    // the next step reaches it; false for a disabled body
 } TemplateTarget;
 
 typedef struct
@@ -26,9 +25,6 @@ scree_status targets_read(const scree_world* world, const char* function, int nu
 
 // Returns the set of all targets.
 uint64_t targets_all(const TemplateTargets* from);
-
-// Returns the set of targets that the next step with dt above 0 reaches: those of disabled bodies stay.
-uint64_t targets_reached(const TemplateTargets* from);
 
 // Returns the part of the hash of a world that a set of targets is.
 uint64_t targets_hash(const TemplateTargets* from, uint64_t set);

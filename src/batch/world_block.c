@@ -3,6 +3,7 @@
 #include "batch/world_block.h"
 #include "batch/block_channels.h"
 #include "batch/block_gravity.h"
+#include "batch/block_own.h"
 #include "batch/block_places.h"
 #include "batch/block_pools.h"
 #include "batch/block_targets.h"
@@ -108,7 +109,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 	TRY(bays_open(p, &sizes));
 	block->request.contact_limit = 0;
 	block->request.kinematics = block->kinematics;
-	block->gravity_changed = true;
+	block_gravity_changes(block, 0, worlds);
 	TRY(block_fill(block));
 	return block_reset(block, NULL);
 }
@@ -124,7 +125,16 @@ void block_close(Block* block)
 	block_targets_close(block);
 	scree_release(block->converted);
 	scree_release(block->gravity_rows);
+	block_own_close(block);
 	*block = (Block){.first = 0};
+}
+
+// Gives the worlds of the first rows of the block the own values of their templates.
+static scree_status restore_own(Block* block, int count)
+{
+	for (int k = 0; k < count && block->own; ++k)
+		TRY(block_own_take(block, block->rows[k], NULL));
+	return block_own_send(block);
 }
 
 scree_status block_reset(Block* block, const uint8_t* mask)
@@ -133,6 +143,7 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 	if (block->pipeline.live_bays == block->worlds)
 	{
 		TRY(block_restore(block, mask, &count));
+		TRY(restore_own(block, count));
 		TRY(block_wake(block, block->rows, NULL, count));
 		return block_apply_reset(block, count);
 	}
@@ -145,6 +156,7 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 			continue;
 		block_add_copy(block, &count, block->spare_of[block_number(block, k)], block->bay_of[k], k);
 	}
+	TRY(restore_own(block, count));
 	TRY(block_wake(block, block->rows, NULL, count));
 	return block_apply_reset(block, count);
 }
@@ -222,8 +234,11 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 	block->crowded = 0;
 	if (steps == 0)
 		return SCREE_OK;
+	TRY(block_set_parameters(block));
 	TRY(block_gravity(block));
 	TRY(block_apply_inputs(block));
+	TRY(block_own_search(block));
+	TRY(block_refresh_chains(block));
 	block_targets_replace(block);
 	for (int k = 0; k < steps; ++k)
 	{
@@ -237,18 +252,19 @@ scree_status block_step(Block* block, float dt, int substeps, int steps)
 
 scree_status block_hash(Block* block, uint64_t* hashes)
 {
-	uint64_t* own = block->order->world ? scree_allocate(sizeof *own * (size_t)block->worlds) : hashes + block->first;
-	if (!own)
+	uint64_t* device =
+	    block->order->world ? scree_allocate(sizeof *device * (size_t)block->worlds) : hashes + block->first;
+	if (!device)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the hashes of %d worlds", block->worlds);
-	scree_status status = bays_hash(&block->pipeline, own);
+	scree_status status = bays_hash(&block->pipeline, device);
 	for (int row = 0; row < block->worlds && status == SCREE_OK; ++row)
 	{
 		const Template* from = block_template(block, row);
-		hashes[block_world(block, row)] =
-		    own[row] + from->hidden + targets_hash(&from->targets, block_targets_of(block, row));
+		hashes[block_world(block, row)] = device[row] + from->hidden + block_own_hash(block, row) +
+		                                  targets_hash(&from->targets, block_targets_of(block, row));
 	}
 	if (block->order->world)
-		scree_release(own);
+		scree_release(device);
 	return status;
 }
 

@@ -84,7 +84,12 @@ size_t row_layout(const int count[ROW_KINDS], size_t at[POOL_COUNT])
 		if (kind >= 0)
 			end += aligned(pool_info[pool].bytes * (size_t)count[kind]);
 	}
-	return end;
+	return end + own_bytes(count[ROW_BODIES], count[ROW_COLLIDABLES], count[ROW_JOINTS]);
+}
+
+size_t row_own(const int count[ROW_KINDS])
+{
+	return row_layout(count, NULL) - own_bytes(count[ROW_BODIES], count[ROW_COLLIDABLES], count[ROW_JOINTS]);
 }
 
 // Returns a checksum of bytes, whose number is a multiple of 8. Four sums do not wait for each other.
@@ -154,6 +159,23 @@ void row_tidy(PoolId pool, char* items, const CollidablePair* pair, int count)
 	for (int k = 0; k < count; ++k)
 		if (pair[k].x < 0)
 			row_fill(pool, items + pool_info[pool].bytes * (size_t)k, 1);
+}
+
+void row_tidy_dead(char* row, const int count[ROW_KINDS])
+{
+	size_t at[POOL_COUNT];
+	const AttributeIndex none = 0;
+	row_layout(count, at);
+	for (size_t k = 0; k < (size_t)count[ROW_COLLIDABLES]; ++k)
+	{
+		int kind; // a row may have any alignment
+		memcpy(&kind, row + at[POOL_collidable_kind] + k * sizeof kind, sizeof kind);
+		if (kind != KIND_DEAD)
+			continue;
+		memcpy(row + at[POOL_collidable_attribute] + k * sizeof none, &none, sizeof none);
+		memcpy(row + at[POOL_world_shape] + k * sizeof(WorldShape) + offsetof(WorldShape, attribute), &none,
+		       sizeof none);
+	}
 }
 
 void row_shift(PoolId pool, char* items, int count, int by)

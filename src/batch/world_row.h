@@ -2,7 +2,7 @@
 // world_row.h -- declares rows: the state of one world of a batch as bytes, without addresses.
 //
 // A row has a head and, for each pool of bodies, collidables, contacts and joints that outlives a step, the items of
-// the world. Indices are those within the world, and kept values of constraints are at their slots, as in a spare bay.
+// the world; then its own values (own_values.h). Indices are those within the world, and kept values of constraints are at their slots, as in a spare bay.
 // Contact slots behind the last one in use are left out, so a row fits bays with any number of slots. Numbers are
 // little-endian.
 #ifndef WORLD_ROW_H
@@ -28,10 +28,8 @@ typedef struct // 176 bytes: the head of a row
 	uint64_t bytes;       // size of the row
 	int count[ROW_KINDS]; // numbers of items
 	float dt;             // s: the last step with dt above 0; 0 if there was none
-	int surfaces_changed; // 1 if surfaces of contacts may have to be computed again
 	BayState state;
 	scree_vec gravity;    // m/s^2
-	int unused;           // 0
 	uint64_t targets;     // set of pending targets of its template (template_targets.h)
 	uint64_t target_hash; // targets_hash of this set
 } RowHead;
@@ -57,6 +55,9 @@ void row_count(const Template* from, int contacts, int count[ROW_KINDS]);
 // pool.
 size_t row_layout(const int count[ROW_KINDS], size_t at[POOL_COUNT]);
 
+// Returns the first byte of the own values of a row, which follow the pools.
+size_t row_own(const int count[ROW_KINDS]);
+
 // Completes a row, whose head has all members but magic, checksum and bytes, and whose pools are written.
 void row_seal(char* row, RowHead* head);
 
@@ -66,6 +67,9 @@ scree_status row_open(const char* row, size_t bytes, uint64_t version, const cha
 
 // Clears what is left over from earlier contacts in the free slots among the items of a pool. pair: pool of this name.
 void row_tidy(PoolId pool, char* items, const CollidablePair* pair, int count);
+
+// Clears the attributes of dead collidables of a row, which may be left over from earlier own values.
+void row_tidy_dead(char* row, const int count[ROW_KINDS]);
 
 // Sets items that belong to no world, as in a new spare bay.
 void row_fill(PoolId pool, char* items, int count);

@@ -46,6 +46,14 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_NEXT            24 // whole[0]: 1 + index of the body's next collidable; 0 if this is the last one
 #define COMMAND_REPORTS         25 // whole[0]: Filter.reports
 
+// Changes of single worlds of a batch (stages/batch/bay_edit.h).
+// COMMAND_SURFACE: friction, restitution, rolling resistance, tangent speed; whole[0]: attribute of the collidable that gets
+// them; whole[1]: attribute with its shape.
+#define COMMAND_SURFACE 26
+#define COMMAND_SHARE   27 // collidable; whole[0]: attribute
+#define COMMAND_JOINT   28 // joint slot; whole[0]: JOINT_* bits that the user decides
+#define COMMAND_ORIGIN  29 // bay; whole[0]: first attribute of its world; whole[1]: 1 if surfaces change
+
 #define SLEEP_AS_BEFORE  0 // only the threshold changes
 #define SLEEP_NOT_YET    1 // a new body, which is awake
 #define SLEEP_FROM_START 2 // a new body, which sleeps

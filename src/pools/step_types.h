@@ -87,7 +87,7 @@ typedef struct // 40 bytes: numbers of items of a world of a batch
 	int field, fields;       // first field of its template in the pool field, and their number
 } Bay;
 
-typedef struct // 80 bytes: values of a world of a batch that the counters have in a world alone, or the step
+typedef struct // 88 bytes: values of a world of a batch that the counters have in a world alone, or the step
 {
 	int press[2], ways, presses; // Counters.press, ways, presses
 	int taut;                    // Counters.taut
@@ -103,6 +103,8 @@ typedef struct // 80 bytes: values of a world of a batch that the counters have 
 	int settles;        // Pipeline.settles
 	int searches;       // 1 if the step searches the islands of the world
 	int woken;          // 1 if Counters.woken is to be set when the world enters a live bay
+	int surfaces;       // 1 if the next step computes the surfaces of contacts again (contact_mix)
+	int surfaces_used;  // 1 if this one does
 } BayState;
 
 typedef struct // 20 bytes: values of a world of a batch that depend on its gravity

@@ -57,6 +57,7 @@ SMALL_BEGIN
 #include "stages/read/hash.h"
 #include "stages/save/tidy.h"
 #ifndef SCREE_SMALL
+#include "stages/batch/bay_edit.h"
 #include "stages/batch/bay_hash.h"
 #include "stages/batch/bay_leaf.h"
 #include "stages/batch/layout_patch.h"

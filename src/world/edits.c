@@ -25,10 +25,15 @@ void edits_close(Edits* edits)
 	scree_release(edits->paths);
 }
 
-static void note_heavy(scree_world* world, float inv_mass, float inv_inertia)
+bool edits_heavy(float inv_mass, float inv_inertia)
 {
 	const float least = 1.0f / HEAVY_MASS;
-	world->pipeline.heavy |= (inv_mass > 0.0f && inv_mass < least) || (inv_inertia > 0.0f && inv_inertia < least);
+	return (inv_mass > 0.0f && inv_mass < least) || (inv_inertia > 0.0f && inv_inertia < least);
+}
+
+static void note_heavy(scree_world* world, float inv_mass, float inv_inertia)
+{
+	world->pipeline.heavy |= edits_heavy(inv_mass, inv_inertia);
 }
 
 void edits_body(scree_world* world, BodyRow row)

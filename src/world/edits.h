@@ -9,6 +9,9 @@
 scree_status edits_reserve(scree_world* world, const char* function, int bodies, int collidables, int commands);
 void edits_close(Edits* edits);
 
+// Returns whether a body needs Pipeline.heavy, for its inverse mass, 1/kg, and inverse inertia, 1/(kg m^2).
+bool edits_heavy(float inv_mass, float inv_inertia);
+
 // Records that a body was created or destroyed. The caller sets all members of the row; this function sets row.since.
 void edits_body(scree_world* world, BodyRow row);
 

@@ -45,6 +45,112 @@ static scree_status change_gravity(scree_world* pulled, scree_batch* batch)
 	return scree_world_set_gravity(pulled, gravity[PULLED]);
 }
 
+#define PARAMETERS 4
+#define LISTED     64 // bodies and joints among which the changed ones are
+
+// Returns whether a body may carry fields: an input cannot disable it then.
+static bool may_carry(scree_world* world, scree_body body)
+{
+	scree_field fields[LISTED];
+	scree_field_def def;
+	int count;
+	if (scree_world_get_fields(world, fields, LISTED, &count) != SCREE_OK || count > LISTED)
+		return true;
+	for (int k = 0; k < count; ++k)
+		if (scree_field_get_def(world, fields[k], &def) != SCREE_OK || scree_body_equals(def.body, body))
+			return true;
+	return false;
+}
+
+// Lists parameters of some objects of a world, and writes their values to a row, whose length is the result's.
+static scree_status list_parameters(scree_world* world, uint64_t dice, scree_channel* channels, int* count, float* row)
+{
+	scree_body bodies[LISTED];
+	scree_joint joints[LISTED];
+	int body_count, joint_count, collidables;
+	*count = 0;
+	TRY(scree_world_get_bodies(world, bodies, LISTED, &body_count));
+	TRY(scree_world_get_joints(world, joints, LISTED, &joint_count));
+	body_count = body_count < LISTED ? body_count : LISTED;
+	joint_count = joint_count < LISTED ? joint_count : LISTED;
+	for (int k = 0; k < 3 && body_count > 0; ++k)
+	{
+		scree_body body = bodies[(dice >> 8 * k) % (uint64_t)body_count];
+		scree_channel* c = channels + *count;
+		scree_body_type type;
+		scree_mass mass;
+		*c = scree_channel_make(k == 0 ? SCREE_INPUT_MASS : k == 1 ? SCREE_INPUT_SURFACE : SCREE_INPUT_ENABLED);
+		c->body = body;
+		TRY(scree_body_get_type(world, body, &type));
+		TRY(scree_body_get_mass(world, body, &mass));
+		TRY(scree_body_get_collidables(world, body, &c->collidable, 1, &collidables));
+		if ((k == 0 && type != SCREE_BODY_DYNAMIC) || (k == 1 && collidables == 0) ||
+		    (k == 2 && (dice >> 40 & 1 || may_carry(world, body))))
+			continue;
+		const float values[3][4] = {{1.0f + 10.0f * (mass.mass < 1e20f ? mass.mass : 0.0f),
+		                             0.1f + (mass.inertia < 1e20f ? mass.inertia : 0.0f), mass.center.x + 0.01f,
+		                             mass.center.y},
+		                            {0.05f, 0.5f, 0.1f, dice >> 41 & 1 ? 1.5f : 0.0f},
+		                            {scree_body_is_enabled(world, body) ? 0.0f : 1.0f}};
+		for (int n = 0; n < (k < 2 ? 4 : 1); ++n)
+			*row++ = values[k][n];
+		++*count;
+	}
+	if (joint_count > 0)
+	{
+		scree_channel* c = channels + (*count)++;
+		*c = scree_channel_make(SCREE_INPUT_JOINT_ENABLED);
+		c->joint = joints[(dice >> 24) % (uint64_t)joint_count];
+		*row = scree_joint_is_enabled(world, c->joint) ? 0.0f : 1.0f;
+	}
+	return SCREE_OK;
+}
+
+static scree_status call_parameter(scree_world* world, const scree_channel* c, const float* v)
+{
+	scree_surface surface = scree_surface_default();
+	switch (c->kind)
+	{
+	case SCREE_INPUT_MASS:
+		return scree_body_set_mass(world, c->body, (scree_mass){v[0], v[1], {v[2], v[3]}});
+	case SCREE_INPUT_SURFACE:
+		surface.friction = v[0];
+		surface.restitution = v[1];
+		surface.rolling_resistance = v[2];
+		surface.tangent_speed = v[3];
+		return scree_collidable_set_surface(world, c->collidable, &surface);
+	case SCREE_INPUT_ENABLED:
+		return scree_body_set_enabled(world, c->body, v[0] == 1.0f);
+	default:
+		return scree_joint_set_enabled(world, c->joint, v[0] == 1.0f);
+	}
+}
+
+// Gives a copy other parameters by a reset, and the clone that is compared with it by calls. Returns false if a call fails.
+static bool change_parameters(scree_world* pulled, scree_batch* batch)
+{
+	static const uint8_t mask[COPIES] = {[PULLED] = 1};
+	scree_channel channels[PARAMETERS];
+	float rows[COPIES][4 * PARAMETERS] = {{0.0f}}, *row = rows[0];
+	uint64_t dice;
+	int count;
+	if (scree_world_get_hash(pulled, &dice) != SCREE_OK ||
+	    list_parameters(pulled, dice, channels, &count, row) != SCREE_OK)
+		return false;
+	if (count == 0)
+		return true;
+	if (scree_batch_bind(batch, SCREE_RESET_INPUTS, channels, count, NULL) != SCREE_OK)
+		return false;
+	int columns = scree_batch_get_columns(batch, SCREE_RESET_INPUTS);
+	for (int n = 0; n < columns; ++n)
+		scree_batch_get_rows(batch, SCREE_RESET_INPUTS)[PULLED * columns + n] = row[n];
+	for (int k = 0; k < count; row += channels[k++].kind < SCREE_INPUT_ENABLED ? 4 : 1)
+		if (call_parameter(pulled, channels + k, row) != SCREE_OK)
+			return false;
+	return scree_batch_reset(batch, mask) == SCREE_OK &&
+	       scree_batch_bind(batch, SCREE_RESET_INPUTS, NULL, 0, NULL) == SCREE_OK;
+}
+
 // Saves world 0 at ROW_AGE, and loads it into the last world two steps later. Takes world 1 out after its reset, and puts it
 // back into world 0 later. Returns false if a call fails.
 static bool exchange(Copies* c, int step)
@@ -130,7 +236,7 @@ static bool steps_alike(scree_world* alone, scree_world* pulled, Copies* c)
 {
 	static const uint8_t mask[COPIES] = {0, 1, 0, 0}, pause[COPIES] = {0, 0, 1, 0};
 	uint64_t expected[AGES], last;
-	if (!count_visits(alone, c))
+	if (!count_visits(alone, c) || !change_parameters(pulled, c->batch))
 		return false;
 	for (int step = 0; step < AGES; ++step)
 	{
@@ -167,14 +273,14 @@ bool batch_repeat(scree_world* world, const Place* place, int* made)
 {
 	scree_world_def def = scree_world_def_default();
 	scree_batch_def many = scree_batch_def_default();
-	scree_world *alone, *pulled;
+	scree_world *alone, *pulled = NULL;
 	scree_batch* batch;
 	bool alike = true;
 	def.device = "cpu";
 	def.threads = 1;
 	if (scree_world_clone(world, &def, &alone) != SCREE_OK)
 		return true;
-	if (end_sleep(alone) != SCREE_OK || scree_world_clone(alone, &def, &pulled) != SCREE_OK)
+	if (end_sleep(alone) != SCREE_OK)
 	{
 		scree_world_destroy(alone);
 		return true;
@@ -189,12 +295,14 @@ bool batch_repeat(scree_world* world, const Place* place, int* made)
 	{
 		++*made;
 		Copies c = {.batch = batch};
-		alike = steps_alike(alone, pulled, &c);
+		// the creation of the batch has searched for chains, so the clone has the same ones
+		if (scree_world_clone(alone, &def, &pulled) == SCREE_OK)
+			alike = steps_alike(alone, pulled, &c);
+		scree_world_destroy(pulled);
 		scree_world_destroy(c.taken);
 		free(c.row);
 		scree_batch_destroy(batch);
 	}
 	scree_world_destroy(alone);
-	scree_world_destroy(pulled);
 	return alike;
 }

@@ -92,7 +92,7 @@ static scree_status check_block(Block* block, const void* context)
 static scree_status check_inputs(scree_batch* batch, const char* function, int list, const uint8_t* mask)
 {
 	InputCheck check = {function, batch->sets + list, mask};
-	return check.set->count > 0 ? batch_each(batch, check_block, &check) : SCREE_OK;
+	return check.set->columns > 0 ? batch_each(batch, check_block, &check) : SCREE_OK;
 }
 
 typedef struct

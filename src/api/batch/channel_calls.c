@@ -83,6 +83,8 @@ scree_status api_batch_bind(scree_batch* batch, scree_channels list, const scree
 	ChannelSet set = {0};
 	scree_status status = open_set(batch, function, list, channels, count, &set);
 	set.memory = memory;
+	if (status == SCREE_OK && set.pulls)
+		status = batch_own_gravity(batch, function);
 	if (status == SCREE_OK && count > 0 && !memory)
 		status =
 		    channel_rows_open(&set, function, batch->worlds, batch->block_count == 1 ? batch->blocks[0].backend : NULL);

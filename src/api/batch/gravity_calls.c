@@ -17,7 +17,10 @@ static scree_vec metric_gravity(const scree_batch* batch, const scree_vec* gravi
 	return metres;
 }
 
-static scree_status set_gravity(Block* block, const void* gravity) { return block_set_gravity(block, gravity); }
+static scree_status set_gravity(Block* block, const void* batch)
+{
+	return block_set_gravity(block, ((const scree_batch*)batch)->gravity);
+}
 
 scree_status api_batch_set_gravity(scree_batch* batch, const scree_vec* gravity)
 {
@@ -27,16 +30,17 @@ scree_status api_batch_set_gravity(scree_batch* batch, const scree_vec* gravity)
 	for (int k = 0; gravity && k < batch->worlds; ++k)
 		TRY(check_vec((ArgumentPlace){function, "gravity", k}, "", gravity[k], FLT_MAX));
 	scree_vec *before = batch->gravity, *now = NULL;
-	if (gravity)
+	if (gravity || before)
 	{
 		now = scree_allocate(sizeof *now * (size_t)batch->worlds);
 		if (!now)
 			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d worlds", function, batch->worlds);
 		for (int k = 0; k < batch->worlds; ++k)
-			now[k] = metric_gravity(batch, gravity, k);
+			now[k] =
+			    gravity ? metric_gravity(batch, gravity, k) : batch->templates[batch->template_of[k]].request.gravity;
 	}
 	batch->gravity = now;
-	scree_status status = batch_note(batch, batch_each(batch, set_gravity, now));
+	scree_status status = batch_note(batch, batch_each(batch, set_gravity, batch));
 	scree_release(before);
 	return status;
 }

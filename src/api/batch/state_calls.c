@@ -158,7 +158,7 @@ static scree_status make_world(const char* function, const Template* from, scree
 	alone.threads = 1;
 	TRY(scree_world_clone(from->world, def ? def : &alone, made));
 	(*made)->def.gravity = gravity;
-	scree_status status = world_take_row(*made, from, row);
+	scree_status status = world_take_row(*made, function, from, row);
 	if (status == SCREE_OK)
 		status = recovery_begin(*made, function); // the state that is kept for recovery is that of the row
 	if (status == SCREE_OK)
@@ -192,10 +192,10 @@ scree_status api_batch_extract(scree_batch* batch, int world, const scree_world_
 }
 
 // Puts a world of a batch into the state of a world that was read.
-static scree_status insert(scree_batch* batch, const char* function, int world, Template* read)
+static scree_status insert(scree_batch* batch, const char* function, int world, Template* read, const scree_world* from)
 {
 	const Template* now = batch->templates + batch->template_of[world];
-	read->fingerprint = fingerprint_of(read);
+	read->fingerprint = fingerprint_of(read, from);
 	if (read->bodies != now->bodies || read->collidables != now->collidables || read->joints != now->joints)
 		return fail(
 		    SCREE_ERROR_INVALID,
@@ -204,7 +204,7 @@ static scree_status insert(scree_batch* batch, const char* function, int world, 
 	if (read->fingerprint != now->fingerprint)
 		return fail(
 		    SCREE_ERROR_INVALID,
-		    "%s: from has other settings, or other shapes, masses, joints or rules, than the template of world %d",
+		    "%s: from has other settings, or other shapes, densities, joints or rules, than the template of world %d",
 		    function, world);
 	uint64_t targets;
 	if (!targets_find(&now->targets, &read->targets, &targets))
@@ -228,7 +228,7 @@ scree_status api_batch_insert(scree_batch* batch, int world, scree_world* from)
 	Template read;
 	scree_status status = template_read(from, function, ALONE, &read);
 	if (status == SCREE_OK)
-		status = insert(batch, function, world, &read);
+		status = insert(batch, function, world, &read, from);
 	template_close(&read);
 	return status;
 }

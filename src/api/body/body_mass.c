@@ -8,11 +8,6 @@
 #include "world/record/api_calls.h"
 #include "world/world.h"
 
-// Bounds of masses that the user sets: inverse masses, and their products with squares of lever arms, stay finite.
-#define LEAST_MASS    1e-15f // kg
-#define LEAST_INERTIA 1e-20f // kg m^2
-#define MOST_MASS     1e30f  // kg for masses, kg m^2 for inertias
-
 static scree_status check_read(const scree_world* world, const char* function, scree_body body, const scree_mass* mass)
 {
 	int index = 0;

@@ -85,7 +85,7 @@ INLINE int visit_count(const Pools* p, int bay, int name)
 	return count;
 }
 
-// Returns the sum of the hashes of the visits of a world, as world_visits_hash of the host.
+// Returns the sum of the hashes of the visits of a world, as world_hidden_hash adds them.
 INLINE Word64 visit_hash(const Pools* p, int bay)
 {
 	int sensors = p->step.bays.sensors, words = visit_words(p->step.bays.collidables);

@@ -204,7 +204,7 @@ KERNEL(contact_join)
 KERNEL(contact_mix)
 {
 	Int2 pair = p->pair[i];
-	if (pair.x < 0)
+	if (pair.x < 0 || (BATCHED(p) && !bay_of_contact(p, i)->surfaces_used))
 		return;
 	Float4 surface = contact_surface_of(p->attribute + p->collidable_attribute[pair.x],
 	                                    p->attribute + p->collidable_attribute[pair.y]);

@@ -89,6 +89,8 @@ KERNEL(bay_begin)
 	if (p->counters->stalled)
 		return;
 	state->penetration = state->joint_gap = state->nonfinite = state->crowded = state->joints_dirty = 0;
+	state->surfaces_used = state->surfaces;
+	state->surfaces = 0;
 	if (!(p->step.dt > 0.0f))
 		return;
 	state->presses = (state->press[0] && state->press[1]) || state->ways;

@@ -110,10 +110,10 @@ scree_status attributes_restore(scree_world* world, const char* function)
 	return table_make(world, function, size);
 }
 
-static int make(scree_world* world, uint32_t name, const scree_attribute_def* plain)
+// Fills slot `index` of a new attribute.
+static int make(scree_world* world, int index, uint32_t name, const scree_attribute_def* plain)
 {
 	Edits* p = &world->edits;
-	int index = slots_allocate(&world->attribute_slots);
 	HostAttribute* host = world->host_attributes + index;
 	if (!host->waiting)
 		p->attributes[p->attribute_count++] = index;
@@ -143,7 +143,7 @@ static scree_status find_or_make(scree_world* world, const char* function, const
 	uint32_t name = name_of(def);
 	int* entry = find(world, name, def, claims == 0);
 	if (*entry == 0)
-		*entry = make(world, name, def) + 1;
+		*entry = make(world, slots_allocate(&world->attribute_slots), name, def) + 1;
 	*index = *entry - 1;
 	world->host_attributes[*index].claims += claims;
 	structure_changed(world);
@@ -158,6 +158,28 @@ scree_status attribute_claim(scree_world* world, const char* function, const scr
 scree_status attribute_own(scree_world* world, const char* function, const scree_attribute_def* def, int* index)
 {
 	return find_or_make(world, function, def, 0, index);
+}
+
+scree_status attribute_put(scree_world* world, const char* function, const scree_attribute_def* def, int index)
+{
+	Slots* slots = &world->attribute_slots;
+	int more = index - slots->used > 0 ? index - slots->used + 1 : 1;
+	if (!slots_reserve(slots, slots->free_count + more))
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for attribute %d", function, index);
+	TRY(reserve(world, function));
+	int* passed = scree_allocate(sizeof *passed * (size_t)(index + 1));
+	if (!passed)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for attribute %d", function, index);
+	int count = 0, slot;
+	while ((slot = slots_allocate(slots)) != index)
+		passed[count++] = slot;
+	uint32_t name = name_of(def);
+	*find(world, name, def, true) = make(world, index, name, def) + 1;
+	while (count > 0)
+		slots_free(slots, passed[--count]);
+	scree_release(passed);
+	structure_changed(world);
+	return SCREE_OK;
 }
 
 static void end(scree_world* world, int index)

@@ -16,6 +16,9 @@ void attribute_disclaim(scree_world* world, int index);
 // slot. The attribute belongs to the collidables that use it, and ends with the last of them.
 scree_status attribute_own(scree_world* world, const char* function, const scree_attribute_def* def, int* index);
 
+// Makes an attribute without claims in slot `index`, which is free. No attribute without claims has the values of `def`.
+scree_status attribute_put(scree_world* world, const char* function, const scree_attribute_def* def, int index);
+
 // Add and remove one collidable that uses an attribute. Removing the last one ends an attribute without claims.
 void attribute_attach(scree_world* world, int index);
 void attribute_detach(scree_world* world, int index);

@@ -96,9 +96,7 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / fmaxf(host->mass.inertia, fminf(least, MOST_INERTIA)) : 0.0f;
 }
 
-// m: Returns the largest distance from the center of mass to an anchor of a joint. If the user set the mass, also
-// includes a bound of the distance to points of solid shapes, because this mass may not fit them.
-static float longest_arm(const scree_world* world, const HostBody* host)
+float mass_arm(const scree_world* world, const HostBody* host)
 {
 	float most = 0.0f;
 	for (int end = host->first_joint; end > 0; end = joint_next(world, end))
@@ -165,7 +163,7 @@ static void send_mass(scree_world* world, int body, scree_mass mass)
 {
 	HostBody* host = world->host_bodies + body;
 	host->mass = mass;
-	host->arm = longest_arm(world, host);
+	host->arm = mass_arm(world, host);
 	world->chains_stale |= host->first_joint > 0; // chains depend on the ratios of masses
 	mass_command(world, body);
 }

@@ -4,6 +4,11 @@
 #define MASS_H
 #include "world/world.h"
 
+// Bounds of masses that the user sets: inverse masses, and their products with squares of lever arms, stay finite.
+#define LEAST_MASS    1e-15f // kg
+#define LEAST_INERTIA 1e-20f // kg m^2
+#define MOST_MASS     1e30f  // kg for masses, kg m^2 for inertias
+
 // Returns the mass that the user set, else the sum over collidables, else 1 kg without inertia; 0 if not dynamic.
 scree_mass mass_of_body(const scree_world* world, int body);
 
@@ -14,6 +19,11 @@ scree_mass mass_now(const scree_world* world, int body);
 // inertia is first raised to at least LEAST_GYRATION (mass.c) * mass * arm^2.
 float mass_inverse(const HostBody* host);
 float mass_inverse_inertia(const HostBody* host);
+
+// m: Returns HostBody.arm of a body for its present mass: the largest distance from the center of mass to an anchor of a
+// joint. If the user set the mass, also includes a bound of the distance to points of solid shapes, because this mass may not
+// fit them.
+float mass_arm(const scree_world* world, const HostBody* host);
 
 // Return the row of a body in the pool continuous_body, and the command that sets this row. Both functions may lower
 // Pipeline.continuous_way, and raise Pipeline.continuous_reach.

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+// block_own.c -- changes the own values of the worlds of a block: masses, surfaces, disabled bodies and joints.
+//
+// The host has the own values of each world, by row, and sends commands for the worlds in which they change. It computes what
+// needs the definitions of the template: the least inertia of a body, the index that an attribute has in the world alone, and
+// the chains. A world with other surfaces than its template has a table of attributes of its own, at a place that depends on
+// its row, so that it stays when the world moves to another bay.
+#include "batch/block_own.h"
+#include "batch/block_gravity.h"
+#include "batch/own_check.h"
+#include "batch/own_commands.h"
+#include "step/reserve.h"
+#include <string.h>
+
+// Returns the maximum number of attributes of a world of a block.
+static int most_attributes(const Block* block)
+{
+	int most = 0;
+	for (int t = 0; t < block->template_count; ++t)
+	{
+		int needed = own_attributes(block->templates + t);
+		most = block->spare_of[t] >= 0 && needed > most ? needed : most;
+	}
+	return most;
+}
+
+static scree_status open_tables(Block* block, BlockOwn* own)
+{
+	for (int t = 0; t < block->template_count; ++t)
+	{
+		const Template* from = block->templates + t;
+		int end = from->first_attribute + from->attributes;
+		own->first_table = end > own->first_table ? end : own->first_table;
+	}
+	own->attributes = most_attributes(block);
+	if ((int64_t)own->attributes * block->worlds > MAX_ITEMS - own->first_table)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%d worlds with %d attributes each have too many items", block->worlds,
+		            own->attributes);
+	return pipeline_reserve(&block->pipeline, PER_ATTRIBUTE, own->first_table + own->attributes * block->worlds);
+}
+
+static scree_status open_own(Block* block)
+{
+	size_t worlds = (size_t)block->worlds;
+	BlockOwn* own = block->own = scree_allocate(sizeof *own);
+	if (!own)
+		return own_no_memory(block);
+	for (int t = 0; t < block->template_count; ++t)
+	{
+		size_t bytes = block->spare_of[t] >= 0 ? own_size(block->templates + t) : 0;
+		own->bytes = bytes > own->bytes ? bytes : own->bytes;
+	}
+	own->values = scree_allocate(own->bytes * worlds + 1);
+	own->now = scree_allocate(own->bytes + 1);
+	own->tables = scree_allocate(worlds);
+	own->search = scree_allocate(worlds);
+	own->patched = scree_allocate(sizeof *own->patched * (size_t)block->template_count);
+	own->chains = (OwnChains**)scree_allocate(sizeof *own->chains * worlds);
+	if (!own->values || !own->now || !own->tables || !own->search || !own->patched || !own->chains)
+		return own_no_memory(block);
+	for (int k = 0; k < block->worlds; ++k)
+		memcpy(block_own_values(block, k), block_template(block, k)->own, own_size(block_template(block, k)));
+	return open_tables(block, own);
+}
+
+static void close_patched(Patched* patched)
+{
+	own_host_close(patched->world);
+	scree_release(patched->joints);
+}
+
+void block_own_close(Block* block)
+{
+	BlockOwn* own = block->own;
+	if (!own)
+		return;
+	for (int t = 0; t < block->template_count && own->patched; ++t)
+		close_patched(own->patched + t);
+	scree_release(own->values);
+	scree_release(own->now);
+	scree_release(own->tables);
+	scree_release(own->search);
+	scree_release(own->patched);
+	scree_release((void*)own->chains);
+	own_chains_close(&own->list);
+	scree_release(own->commands);
+	scree_release(own->groups);
+	scree_release(own);
+	block->own = NULL;
+}
+
+char* block_own_values(const Block* block, int row)
+{
+	return block->own ? block->own->values + block->own->bytes * (size_t)row : block_template(block, row)->own;
+}
+
+uint64_t block_own_hash(const Block* block, int row)
+{
+	const Template* from = block_template(block, row);
+	return own_hash(from->world, own_of(from, block_own_values(block, row)));
+}
+
+int block_own_origin(const Block* block, int row) { return own_origin(block, row); }
+
+const ChainSearch* block_own_chains(const Block* block, int row)
+{
+	const OwnChains* chains = block->own ? block->own->chains[row] : NULL;
+	return chains ? &chains->search : &block_template(block, row)->chains;
+}
+
+bool block_own_has_chains(const Block* block) { return block->own && block->own->list.count > 0; }
+
+// Requests a search for the chains of a world, which a world alone makes at the begin of its next step.
+static void request_search(Change* c)
+{
+	BlockOwn* own = c->block->own;
+	own->searches += !own->search[c->row];
+	own->search[c->row] = 1;
+}
+
+// Finds the chains of a world. A joint that leaves or enters a chain restarts.
+static scree_status find_chains(Change* c)
+{
+	BlockOwn* own = c->block->own;
+	OwnChains *old = own->chains[c->row], *found;
+	TRY(own_chains_find(&own->list, c->patched->world, &c->from->chains, &found));
+	own->chains[c->row] = found;
+	c->block->chains_stale |= found != old;
+	own_chains_leave(&own->list, old);
+	own_chains_mark(block_own_chains(c->block, c->row), c->patched->joints, IN_CHAIN);
+	for (int k = 0; k < c->now.joints; ++k)
+	{
+		bool in = c->patched->joints[k] & IN_CHAIN, was = c->now.joint[k] & OWN_JOINT_CHAINED;
+		if (in == was)
+			continue;
+		c->patched->joints[k] |= RESTARTS;
+		c->now.joint[k] ^= OWN_JOINT_CHAINED;
+	}
+	return SCREE_OK;
+}
+
+scree_status block_own_search(Block* block)
+{
+	BlockOwn* own = block->own;
+	for (int row = 0; own && row < block->worlds && own->searches > 0; ++row)
+	{
+		if (!own->search[row] || !block_runs(block, row))
+			continue;
+		const Template* from = block_template(block, row);
+		Change c = {.block = block, .row = row, .bay = block->bay_of[row], .from = from};
+		c.before = c.now = own_of(from, block_own_values(block, row));
+		own->search[row] = 0;
+		--own->searches;
+		TRY(own_patch(&c));
+		TRY(own_reserve(&c));
+		TRY(find_chains(&c));
+		own_add_joints(&c);
+	}
+	return block_own_send(block);
+}
+
+// Sends the differences of a world that runs: masses first, then surfaces, then bodies and joints.
+static scree_status change(Change* c)
+{
+	bool chains = false, surfaces = false;
+	TRY(own_patch(c));
+	TRY(own_reserve(c));
+	const scree_world* world = c->patched->world;
+	for (int k = 0; k < c->now.bodies; ++k)
+	{
+		if (memcmp(&c->now.body[k].mass, &c->before.body[k].mass, sizeof c->now.body[k].mass) == 0)
+			continue;
+		own_add_mass(c, k);
+		chains |= world->host_bodies[k].first_joint > 0;
+	}
+	for (int k = 0; k < c->now.collidables; ++k)
+		surfaces |= memcmp(c->now.collidable + k, c->before.collidable + k, sizeof *c->now.collidable) != 0;
+	if (surfaces)
+		own_add_surfaces(c, true);
+	for (int k = 0; k < c->now.bodies; ++k)
+	{
+		if (c->now.body[k].disabled == c->before.body[k].disabled)
+			continue;
+		own_add_enabled(c, k);
+		chains |= world->host_bodies[k].first_joint > 0;
+	}
+	for (int k = 0; k < c->now.joints; ++k)
+	{
+		if (c->now.joint[k] == c->before.joint[k])
+			continue;
+		own_mark_joint(c, k);
+		chains = true;
+	}
+	if (chains)
+		request_search(c);
+	own_add_joints(c);
+	c->block->pipeline.edited = true;
+	return SCREE_OK;
+}
+
+static bool is_other(Own own, const Channel* channel, const float* values)
+{
+	switch (channel->kind)
+	{
+	case CHANNEL_SET_MASS:
+		return memcmp(&own.body[channel->item].mass, values, sizeof(scree_mass)) != 0;
+	case CHANNEL_SET_SURFACE:
+		for (int k = 0; k < 4; ++k)
+			if ((&own.collidable[channel->item].friction)[k] != values[k])
+				return true;
+		return false;
+	case CHANNEL_SET_ENABLED:
+		return (values[0] == 0.0f) != (own.body[channel->item].disabled != 0);
+	case CHANNEL_SET_JOINT_ENABLED:
+		return (values[0] == 0.0f) != ((own.joint[channel->item] & OWN_JOINT_DISABLED) != 0);
+	default:
+		return false;
+	}
+}
+
+static void put(Own own, const OwnRules* rules, const Channel* channel, const float* values)
+{
+	switch (channel->kind)
+	{
+	case CHANNEL_SET_MASS:
+		memcpy(&own.body[channel->item].mass, values, sizeof(scree_mass));
+		break;
+	case CHANNEL_SET_SURFACE:
+		own_set_surface(own, rules, channel->item, values);
+		break;
+	case CHANNEL_SET_ENABLED:
+		own.body[channel->item].disabled = values[0] == 0.0f;
+		break;
+	case CHANNEL_SET_JOINT_ENABLED:
+		own.joint[channel->item] &= ~OWN_JOINT_DISABLED;
+		own.joint[channel->item] |= values[0] == 0.0f ? OWN_JOINT_DISABLED : 0;
+		break;
+	}
+}
+
+void block_own_pull(Block* block, const ChannelSet* set, int row, const float* values)
+{
+	const Template* from = block_template(block, row);
+	const Channel* channels = set->parameter + (from - block->templates) * set->parameters;
+	scree_vec *gravity = block->gravity + block_world(block, row), before = *gravity;
+	for (int k = 0; k < set->parameters; ++k)
+		if (channels[k].kind == CHANNEL_SET_GRAVITY)
+			memcpy(gravity, values + channels[k].column, sizeof *gravity);
+	if (memcmp(gravity, &before, sizeof before) == 0)
+		return;
+	block_gravity_changes(block, row, row + 1);
+	block->pipeline.edited = true;
+}
+
+_Static_assert(sizeof(scree_mass) == 4 * sizeof(float) && sizeof(scree_vec) == 2 * sizeof(float), "columns of inputs");
+
+scree_status block_own_set(Block* block, const ChannelSet* set, int row, const float* values)
+{
+	const Template* from = block_template(block, row);
+	const Channel* channels = set->parameter + (from - block->templates) * set->parameters;
+	bool changed = false;
+	if (!block->own)
+		TRY(open_own(block));
+	Own before = own_of(from, block_own_values(block, row));
+	for (int k = 0; k < set->parameters; ++k)
+		changed |= is_other(before, channels + k, values + channels[k].column);
+	if (!changed)
+		return SCREE_OK;
+	size_t bytes = own_size(from);
+	char* now = block->own->now;
+	memcpy(now, block_own_values(block, row), bytes);
+	Change c = {.block = block, .row = row, .bay = block->bay_of[row], .from = from};
+	c.before = before;
+	c.now = own_of(from, now);
+	for (int k = 0; k < set->parameters; ++k)
+		put(c.now, &from->own_rules, channels + k, values + channels[k].column);
+	TRY(change(&c));
+	memcpy(block_own_values(block, row), now, bytes);
+	return SCREE_OK;
+}
+
+// Returns whether own values differ in disabled bodies or joints, which changes the pairs of bodies that never touch.
+static bool others_disabled(Own a, Own b)
+{
+	bool other = memcmp(a.joint, b.joint, sizeof(int) * (size_t)a.joints) != 0;
+	for (int k = 0; k < a.bodies; ++k)
+		other |= a.body[k].disabled != b.body[k].disabled;
+	return other;
+}
+
+scree_status block_own_take(Block* block, int row, const char* values)
+{
+	const Template* from = block_template(block, row);
+	size_t bytes = own_size(from);
+	const char* taken = values ? values : from->own;
+	bool other = memcmp(taken, from->own, bytes) != 0;
+	if (!block->own && !other)
+		return SCREE_OK;
+	if (!block->own)
+		TRY(open_own(block));
+	BlockOwn* own = block->own;
+	char* to = block_own_values(block, row);
+	memcpy(own->now, taken, bytes); // aligned
+	if (others_disabled(own_of(from, to), own_of(from, own->now)))
+		block->pipeline.dirty = true;
+	memcpy(to, own->now, bytes);
+	own->tables[row] = 0;
+	own->searches -= own->search[row];
+	own->search[row] = 0;
+	if (!other)
+	{
+		block->chains_stale |= own->chains[row] != NULL;
+		own_chains_leave(&own->list, own->chains[row]);
+		own->chains[row] = NULL;
+		return SCREE_OK;
+	}
+	Change c = {.block = block, .row = row, .bay = block->bay_of[row], .from = from, .now = own_of(from, to)};
+	Own template = own_of(from, from->own);
+	TRY(own_patch(&c));
+	TRY(own_reserve(&c));
+	for (int k = 0; k < c.now.bodies; ++k)
+	{
+		ContinuousBody unused;
+		if (memcmp(&c.now.body[k].mass, &template.body[k].mass, sizeof(scree_mass)) != 0)
+			own_note_mass(&c, k, &unused);
+	}
+	if (memcmp(c.now.collidable, template.collidable, sizeof *c.now.collidable * (size_t)c.now.collidables) != 0)
+		own_add_surfaces(&c, false);
+	request_search(&c);
+	return SCREE_OK;
+}
+
+scree_status block_own_send(Block* block) { return own_send(block); }
