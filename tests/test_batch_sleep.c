@@ -129,11 +129,53 @@ static void changes_wake_worlds(void** state)
 	check_levels(levels, COUNT_OF(levels), 2 * COUNT_OF(levels), 120, 5);
 }
 
+// A crate that stands still rests one step longer after each step, until it sleeps; an impulse wakes it, and its rest is 0.
+static void rest_is_measured(void** state)
+{
+	(void)state;
+	scree_world_def world_def = scree_world_def_default();
+	scree_batch_def def = scree_batch_def_default();
+	scree_batch* batch;
+	world_def.device = "cpu";
+	scree_world* world = create_world(&world_def);
+	scree_channel outputs[2] = {scree_channel_make(SCREE_OUTPUT_REST), scree_channel_make(SCREE_OUTPUT_REST)};
+	scree_channel input = scree_channel_make(SCREE_INPUT_IMPULSE);
+	float rests[3][2], impulses[3][2] = {{0.0f}}, expected = 0.0f;
+	outputs[1].body = add_floor(world);
+	outputs[0].body = input.body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f);
+	def.worlds = 3;
+	def.templates = &world;
+	def.template_count = 1;
+	def.device = "cpu";
+	OK(scree_batch_create(&def, &batch));
+	REFUSED(scree_batch_bind(batch, SCREE_OUTPUTS, outputs, 2, rests[0]),
+	        "scree_batch_bind: channels[1] is the rest of a body that is not dynamic (template 0)");
+	outputs[1].body = outputs[0].body;
+	OK(scree_batch_bind(batch, SCREE_OUTPUTS, outputs, 2, rests[0]));
+	OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, &input, 1, impulses[0]));
+	for (int step = 0; step < 60; ++step)
+	{
+		impulses[1][0] = step == 50 ? 9.0f : 0.0f;
+		OK(scree_batch_step(batch, STEP, SUBSTEPS, 1));
+		for (int w = 0; w < 3; ++w)
+			assert_true(rests[w][0] == rests[w][1] && rests[w][0] >= 0.0f);
+		assert_true(rests[0][0] == rests[2][0]);
+		assert_true(step < 40 || rests[0][0] >= 0.5f);
+		assert_true(step < 2 || step > 20 || rests[0][0] == expected + STEP);
+		assert_true(step != 50 || rests[1][0] == 0.0f);
+		expected = rests[0][0];
+	}
+	scree_batch_destroy(batch);
+	scree_world_destroy(world);
+	assert_int_equal(scree_memory(), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(worlds_fall_asleep),
 	    cmocka_unit_test(changes_wake_worlds),
+	    cmocka_unit_test(rest_is_measured),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

@@ -2554,6 +2554,8 @@ typedef enum scree_channel_kind // comments: the columns, with the units and ran
 	SCREE_OUTPUT_POSE,          // body: pose of its origin: x, y, m; cosine, sine
 	SCREE_OUTPUT_VELOCITY,      // body: linear x, y, m/s; angular, rad/s
 	SCREE_OUTPUT_RELATIVE_POSE, // body: the same pose in the frame of the body `other`
+	SCREE_OUTPUT_REST,          // dynamic body of a template that sleeps: time for which it has been at rest (slower than
+	                            // scree_world_def.sleep_threshold), s; at least 0.5 while it sleeps
 	// Touches of `collidable`, or if it is null of all collidables of `body`; with `other_collidable`, or with the body
 	// `other`, or if both are null with anything: number of touching contacts; 1 if there are some and the last outputs
 	// had none, else 0; sum of their normal impulses in the last substep, N s.

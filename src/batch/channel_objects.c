@@ -104,6 +104,14 @@ static scree_status check_body_kind(ChannelPlace at, scree_channel_kind kind, co
 	return SCREE_OK;
 }
 
+// Checks that the body is one whose rest is measured.
+static scree_status check_rest(ChannelPlace at, const scree_world* world, int body)
+{
+	if (world->host_bodies[body].type != SCREE_BODY_DYNAMIC)
+		return refuse_channel(at, "is the rest of a body that is not dynamic");
+	return world->def.sleep ? SCREE_OK : refuse_channel(at, "is the rest of a body in a world that does not sleep");
+}
+
 // Sets start and path of ray number `ray`: the fan is centered on the translation, and goes counter-clockwise.
 static void place_ray(Channel* made, const scree_channel* c, int ray)
 {
@@ -134,6 +142,8 @@ static scree_status find_body(Channel* made, ChannelPlace at, const scree_channe
 	if (world->def.length_unit != 0.0f)
 		units_scale((double)world->def.length_unit, (char*)&made->place, 4, 1, TO_METRES);
 	made->kind = (int)c->kind;
+	if (c->kind == SCREE_OUTPUT_REST)
+		return check_rest(at, world, made->item);
 	return kinds[c->kind].input ? check_body_kind(at, c->kind, world->host_bodies + made->item) : SCREE_OK;
 }
 
@@ -259,6 +269,7 @@ static int column_power(const scree_channel* c, int k, const scree_world* world)
 	case SCREE_OUTPUT_RAYS:
 	case SCREE_INPUT_ENABLED:
 	case SCREE_INPUT_JOINT_ENABLED:
+	case SCREE_OUTPUT_REST:
 	case SCREE_OUTPUT_SENSOR_COUNT:
 	case SCREE_OUTPUT_NOT_FINITE:
 		return 0;

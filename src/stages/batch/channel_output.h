@@ -36,6 +36,12 @@ INLINE Float4 channel_relative(const Pools* p, int body, int other)
 	return make_float4(d.x, d.y, q.x, q.y);
 }
 
+// s: Returns the time for which a body has been at rest. The user's calls leave values below 0.
+INLINE float channel_rest(const Pools* p, int body)
+{
+	return maximum(p->still[body], p->sleep[body] ? SLEEP_TIME : 0.0f);
+}
+
 // Returns whether a contact has a collidable or body as its first one (x) or its second one (y), as bits 1 and 2.
 INLINE int channel_ends(Int2 ends, int item) { return (ends.x == item) | (ends.y == item) << 1; }
 
@@ -105,6 +111,9 @@ KERNEL(channel_body)
 			break;
 		case CHANNEL_GET_RELATIVE_POSE:
 			channel_write4(to, channel_relative(p, first + c->item, first + c->other));
+			break;
+		case CHANNEL_GET_REST:
+			to[0] = channel_rest(p, first + c->item);
 			break;
 		case CHANNEL_GET_TOUCH:
 			channel_touch(p, c, at.bay, to);
