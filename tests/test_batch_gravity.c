@@ -93,7 +93,7 @@ static void gravity_may_differ(void** state)
 	    {.scene = "coaster", .steps = 5, .dt = STEP, .substeps = 4},
 	    {.scene = "gears"},
 	};
-	check_levels(levels, COUNT_OF(levels), COUNT_OF(levels) + 5, 60, 1);
+	check_levels(levels, COUNT_OF(levels), COUNT_OF(levels) + 5, 60, 1, true);
 }
 
 // Tables of paths and pairs of materials of several templates, beside templates without.
@@ -108,7 +108,7 @@ static void tables_may_differ(void** state)
 	    {.build = build_ghosts},
 	    {.scene = "platforms", .steps = 30, .dt = STEP, .substeps = 4},
 	};
-	check_levels(levels, COUNT_OF(levels), 2 * COUNT_OF(levels) + 1, 90, 1);
+	check_levels(levels, COUNT_OF(levels), 2 * COUNT_OF(levels) + 1, 90, 1, true);
 }
 
 // Gravity is in the unit of length of each world's template.
@@ -120,7 +120,26 @@ static void units_may_differ(void** state)
 	    {.build = build_toys},
 	    {.build = build_toys, .unit = 3.0f, .steps = 2, .dt = STEP, .substeps = 4},
 	};
-	check_levels(levels, COUNT_OF(levels), 9, 40, 1);
+	check_levels(levels, COUNT_OF(levels), 9, 40, 1, false);
+}
+
+static void bad_templates_are_refused(void** state)
+{
+	(void)state;
+	static const Level levels[] = {{.build = build_toys}, {.build = build_ride, .steps = 2, .dt = STEP, .substeps = 4}};
+	Twins t = {.levels = levels, .level_count = 2, .worlds = 3, .rare = 1};
+	const int32_t next[3] = {1, 1, 0}, bad[3] = {1, 2, 0};
+	open_twins(&t, "cpu", 1, 0);
+	REFUSED(scree_batch_set_templates(t.batch, next),
+	        "scree_batch_set_templates: the batch was created without scree_batch_def.other_templates");
+	close_twins(&t);
+	t.varied = true;
+	open_twins(&t, "cpu", 1, 0);
+	REFUSED(scree_batch_set_templates(t.batch, bad),
+	        "scree_batch_set_templates: template_of[1] is 2, must be from 0 to 1");
+	REFUSED(scree_batch_set_templates(t.batch, NULL), "scree_batch_set_templates: template_of is null");
+	run_twins(&t, 20);
+	close_twins(&t);
 }
 
 static void bad_gravity_is_refused(void** state)
@@ -142,10 +161,9 @@ static void bad_gravity_is_refused(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(gravity_may_differ),
-	    cmocka_unit_test(tables_may_differ),
-	    cmocka_unit_test(units_may_differ),
-	    cmocka_unit_test(bad_gravity_is_refused),
+	    cmocka_unit_test(gravity_may_differ),        cmocka_unit_test(tables_may_differ),
+	    cmocka_unit_test(units_may_differ),          cmocka_unit_test(bad_gravity_is_refused),
+	    cmocka_unit_test(bad_templates_are_refused),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

@@ -120,13 +120,13 @@ static const Level levels[] = {
 static void worlds_fall_asleep(void** state)
 {
 	(void)state;
-	check_levels(levels, COUNT_OF(levels), COUNT_OF(levels) + 4, 260, 30);
+	check_levels(levels, COUNT_OF(levels), COUNT_OF(levels) + 4, 260, 30, false);
 }
 
 static void changes_wake_worlds(void** state)
 {
 	(void)state;
-	check_levels(levels, COUNT_OF(levels), 2 * COUNT_OF(levels), 120, 5);
+	check_levels(levels, COUNT_OF(levels), 2 * COUNT_OF(levels), 120, 5, true);
 }
 
 // A crate that stands still rests one step longer after each step, until it sleeps; an impulse wakes it, and its rest is 0.

@@ -2425,6 +2425,9 @@ typedef struct scree_batch_def
 	int template_count;
 	const int* template_of; // for each world, the index of its template; null (default): world i has template i modulo
 	                        // template_count
+	// true: worlds may get other templates (scree_batch_set_templates), so there is memory for all templates in each part of
+	// the batch, and bays of all worlds fit the largest one. Default false.
+	bool other_templates;
 	// Maximum number of contacts of a world, 0 to 4,096; 0 (default): 4,096, or fewer if there are more than 16,384 worlds. A
 	// world that gets more is left as it was and paused (scree_batch_counters.crowded); alone, with this
 	// scree_world_def.contact_limit, its step would be refused.
@@ -2459,6 +2462,11 @@ SCREE_API scree_status scree_batch_step(scree_batch* batch, float dt, int subste
 // for each world to reset; null: all worlds. Masses, surfaces, and what is enabled, become those of the template. Gravity that
 // was set stays; bodies wake if it is not that of the template.
 SCREE_API scree_status scree_batch_reset(scree_batch* batch, const uint8_t* mask);
+
+// Gives worlds other templates from their next reset on: robots of other sizes, levels with other walls. Until then nothing
+// changes. template_of: for each world the index of a template, which must have the tuning of its present one. Fails with
+// SCREE_ERROR_INVALID if scree_batch_def.other_templates was false.
+SCREE_API scree_status scree_batch_set_templates(scree_batch* batch, const int32_t* template_of);
 
 // Pauses worlds: they are not stepped until a later call has byte 0 for them, or they are reset. They cost no time. mask: one
 // byte per world, other than 0 for each world to pause; all other worlds run, also those that were paused because they had too
@@ -2554,8 +2562,8 @@ typedef enum scree_channel_kind // comments: the columns, with the units and ran
 	SCREE_OUTPUT_POSE,          // body: pose of its origin: x, y, m; cosine, sine
 	SCREE_OUTPUT_VELOCITY,      // body: linear x, y, m/s; angular, rad/s
 	SCREE_OUTPUT_RELATIVE_POSE, // body: the same pose in the frame of the body `other`
-	SCREE_OUTPUT_REST,          // dynamic body of a template that sleeps: time for which it has been at rest (slower than
-	                            // scree_world_def.sleep_threshold), s; at least 0.5 while it sleeps
+	SCREE_OUTPUT_REST, // dynamic body of a template that sleeps: time for which it has been at rest (slower than
+	                   // scree_world_def.sleep_threshold), s; at least 0.5 while it sleeps
 	// Touches of `collidable`, or if it is null of all collidables of `body`; with `other_collidable`, or with the body
 	// `other`, or if both are null with anything: number of touching contacts; 1 if there are some and the last outputs
 	// had none, else 0; sum of their normal impulses in the last substep, N s.

@@ -161,8 +161,8 @@ static scree_status open_block(Block* block, const void* context)
 	const scree_batch* batch = plan->batch;
 	Backend* backend;
 	TRY(open_device(plan->def, plan->threads, &backend));
-	return block_open(block, backend, batch->templates, batch->template_count, batch->template_of, &batch->order,
-	                  block->first, block->worlds, plan->def->contact_limit);
+	return block_open(block, backend, batch->templates, batch->template_count, batch->template_of, batch->next_of,
+	                  &batch->order, block->first, block->worlds, plan->def->contact_limit);
 }
 
 static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, const char* function)
@@ -195,11 +195,17 @@ scree_status batch_create(const scree_batch_def* def, const char* function, scre
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a batch", function);
 	made->worlds = def->worlds;
 	made->template_of = scree_allocate(sizeof(int) * (size_t)def->worlds);
-	scree_status status = made->template_of
+	if (def->other_templates)
+		made->next_of = scree_allocate(sizeof(int) * (size_t)def->worlds);
+	scree_status status = made->template_of && (made->next_of || !def->other_templates)
 	                          ? SCREE_OK
 	                          : fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d worlds", function, def->worlds);
 	for (int k = 0; k < def->worlds && status == SCREE_OK; ++k)
+	{
 		made->template_of[k] = def->template_of ? def->template_of[k] : k % def->template_count;
+		if (made->next_of)
+			made->next_of[k] = made->template_of[k];
+	}
 	if (status == SCREE_OK)
 		status = read_templates(made, def, function);
 	if (status == SCREE_OK)
@@ -242,6 +248,7 @@ void batch_destroy(scree_batch* batch)
 		channels_close(batch->sets + k);
 	scree_release(batch->templates);
 	scree_release(batch->template_of);
+	scree_release(batch->next_of);
 	order_close(&batch->order);
 	scree_release(batch->gravity);
 	scree_release(batch->blocks);

@@ -10,6 +10,7 @@ struct scree_batch
 	int worlds, template_count, block_count;
 	Template* templates;
 	int* template_of; // for each world: index of its template
+	int* next_of;     // and that after its next reset; null if templates stay
 	WorldOrder order;
 	scree_vec* gravity; // m/s^2, for each world; null: that of the templates
 	Block* blocks;

@@ -185,6 +185,11 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	return chains_find(world, &made->chains, &made->chain_memory);
 }
 
+bool template_fits(const Template* a, const Template* b)
+{
+	return tuning_equal(&a->request.tuning, &b->request.tuning);
+}
+
 BayState template_state(const Template* from)
 {
 	const Counters* c = &from->pipeline.counters;

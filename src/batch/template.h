@@ -33,6 +33,9 @@ typedef struct
 // the world is no template, and is not cloned.
 scree_status template_read(scree_world* world, const char* function, int number, Template* made);
 
+// Returns whether worlds of two templates may share a block: those of the same tuning.
+bool template_fits(const Template* a, const Template* b);
+
 // Returns the state that the world of a template has in a bay.
 BayState template_state(const Template* from);
 

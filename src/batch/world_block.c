@@ -56,12 +56,13 @@ static scree_status open_pools(Pipeline* p, Backend* backend, const BaySizes* si
 	return pipeline_open(p, backend, fits ? (int)bodies : 0, fits ? (int)contacts : 0);
 }
 
-scree_status block_open(Block* block, Backend* backend, const Template* templates, int count, const int* template_of,
-                        const WorldOrder* order, int first, int worlds, int contact_limit)
+scree_status block_open(Block* block, Backend* backend, const Template* templates, int count, int* template_of,
+                        const int* next_of, const WorldOrder* order, int first, int worlds, int contact_limit)
 {
 	*block = (Block){.backend = backend,
 	                 .templates = templates,
 	                 .template_of = template_of,
+	                 .next_of = next_of,
 	                 .order = order,
 	                 .first = first,
 	                 .worlds = worlds};
@@ -75,11 +76,15 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 	    .worlds = worlds, .bodies = 1, .collidables = 1, .contacts = 1, .joints = 1, .contact_limit = contact_limit};
 	memset(block->spare_of, -1, sizeof(int) * (size_t)count);
 	for (int k = 0; k < worlds; ++k)
+		if (block->spare_of[block_number(block, k)] < 0)
+			block->spare_of[block_number(block, k)] = worlds + sizes.spares++;
+	for (int t = 0; t < count; ++t)
 	{
-		int t = block_number(block, k);
 		const Template* from = templates + t;
-		if (block->spare_of[t] < 0)
+		if (next_of && block->spare_of[t] < 0 && template_fits(block_template(block, 0), from))
 			block->spare_of[t] = worlds + sizes.spares++;
+		if (block->spare_of[t] < 0)
+			continue;
 		sizes.bodies = larger(sizes.bodies, from->bodies);
 		sizes.collidables = larger(sizes.collidables, from->collidables);
 		sizes.contacts = larger(sizes.contacts, from->contacts);
@@ -137,13 +142,41 @@ static scree_status restore_own(Block* block, int count)
 	return block_own_send(block);
 }
 
+// Gives worlds that are reset their next templates. Returns whether some template is another one.
+static bool change_templates(Block* block, const uint8_t* mask)
+{
+	bool changed = false;
+	for (int row = 0; block->next_of && row < block->worlds; ++row)
+	{
+		int world = block_world(block, row);
+		if (block->template_of[world] == block->next_of[world] || (mask && !mask[world]))
+			continue;
+		block->template_of[world] = block->next_of[world];
+		block_gravity_changes(block, row, row + 1);
+		changed = true;
+	}
+	return changed;
+}
+
+// Lists again what depends on the templates of the live bays.
+static scree_status list_again(Block* block)
+{
+	TRY(block_count(block, block->pipeline.live_bays));
+	block->pipeline.counters.changed = 1; // the next step must not begin its solve before it has read the counters
+	block->pipeline.dirty = true;
+	return SCREE_OK;
+}
+
 scree_status block_reset(Block* block, const uint8_t* mask)
 {
 	int count = 0;
+	bool changed = change_templates(block, mask);
 	if (block->pipeline.live_bays == block->worlds)
 	{
 		TRY(block_restore(block, mask, &count));
 		TRY(restore_own(block, count));
+		if (changed)
+			TRY(list_again(block));
 		TRY(block_wake(block, block->rows, NULL, count));
 		return block_apply_reset(block, count);
 	}
@@ -157,6 +190,8 @@ scree_status block_reset(Block* block, const uint8_t* mask)
 		block_add_copy(block, &count, block->spare_of[block_number(block, k)], block->bay_of[k], k);
 	}
 	TRY(restore_own(block, count));
+	if (changed)
+		TRY(list_again(block));
 	TRY(block_wake(block, block->rows, NULL, count));
 	return block_apply_reset(block, count);
 }

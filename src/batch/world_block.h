@@ -7,8 +7,8 @@
 // Opens a block on a backend, which the block closes. templates: array of `count`. first, worlds: range of places of `order`,
 // whose worlds have the same tuning. contact_limit: for each world, the maximum number of contacts, 0 for the default. On
 // failure block_close must follow.
-scree_status block_open(Block* block, Backend* backend, const Template* templates, int count, const int* template_of,
-                        const WorldOrder* order, int first, int worlds, int contact_limit);
+scree_status block_open(Block* block, Backend* backend, const Template* templates, int count, int* template_of,
+                        const int* next_of, const WorldOrder* order, int first, int worlds, int contact_limit);
 void block_close(Block* block);
 
 // Puts worlds back to their templates. Worlds that were paused then run. mask: per world of the batch, 0 for worlds that

@@ -2,7 +2,6 @@
 // world_order.c -- orders the worlds of a batch by tuning.
 #include "batch/world_order.h"
 #include "platform/error.h"
-#include "world/tuning_members.h"
 
 // Sets the number of the tuning of each template. Returns the number of different ones.
 static int find_groups(const Template* templates, int count, int* group)
@@ -12,7 +11,7 @@ static int find_groups(const Template* templates, int count, int* group)
 	{
 		group[t] = groups;
 		for (int other = 0; other < t && group[t] == groups; ++other)
-			if (tuning_equal(&templates[t].request.tuning, &templates[other].request.tuning))
+			if (template_fits(templates + t, templates + other))
 				group[t] = group[other];
 		groups += group[t] == groups;
 	}

@@ -65,7 +65,10 @@ typedef struct
 	int level_count, worlds;
 	scree_batch* batch;
 	scree_world* alone[MOST_WORLDS];
-	scree_vec gravity[MOST_WORLDS], first[MOST_WORLDS]; // that of the world now, and that of its template
+	int level[MOST_WORLDS], next[MOST_WORLDS];          // that of the world, and that after its next reset
+	scree_vec gravity[MOST_WORLDS], first[MOST_WORLDS]; // that of the world now, and that of each level
+	bool pulled;                                        // gravity of the worlds was set
+	bool varied;                                        // worlds get other templates
 	uint8_t paused[MOST_WORLDS];
 	int rare; // factor for the number of steps between changes
 } Twins;
@@ -82,14 +85,18 @@ static inline void open_twins(Twins* t, const char* device, int threads, int lan
 	def.device = device;
 	def.threads = threads;
 	def.lanes = lanes;
+	def.other_templates = t->varied;
 	OK(scree_batch_create(&def, &t->batch));
 	for (int k = 0; k < t->level_count; ++k)
+	{
+		OK(scree_world_get_gravity(templates[k], t->first + k));
 		scree_world_destroy(templates[k]);
+	}
 	for (int k = 0; k < t->worlds; ++k)
 	{
-		t->alone[k] = build_level(t->levels + k % t->level_count);
-		OK(scree_world_get_gravity(t->alone[k], t->first + k));
-		t->gravity[k] = t->first[k];
+		t->level[k] = t->next[k] = k % t->level_count;
+		t->alone[k] = build_level(t->levels + t->level[k]);
+		t->gravity[k] = t->first[t->level[k]];
 	}
 }
 
@@ -107,10 +114,10 @@ static inline void compare(const Twins* t, int step)
 	OK(scree_batch_get_hashes(t->batch, hashes));
 	for (int k = 0; k < t->worlds; ++k)
 	{
-		const Level* level = t->levels + k % t->level_count;
+		const Level* level = t->levels + t->level[k];
 		if (hashes[k] != hash_of(t->alone[k]))
 			fail_msg("step %d, world %d of %d, level %d (%s), gravity %g, %g: hash %016llx, alone %016llx", step, k,
-			         t->worlds, k % t->level_count, level->scene ? level->scene : "own", (double)t->gravity[k].x,
+			         t->worlds, t->level[k], level->scene ? level->scene : "own", (double)t->gravity[k].x,
 			         (double)t->gravity[k].y, (unsigned long long)hashes[k], (unsigned long long)hash_of(t->alone[k]));
 	}
 }
@@ -126,17 +133,18 @@ static inline void set_gravity(Twins* t)
 	for (int k = 0; k < t->worlds; ++k)
 	{
 		int most = (int)(sizeof choices / sizeof *choices);
-		float unit = t->levels[k % t->level_count].unit;
+		float unit = t->levels[t->level[k]].unit;
 		scree_vec next = choices[how == 1 ? same : random_below(most - (random_below(10) != 0 ? 2 : 0))];
 		if (unit != 0.0f)
 			next = (scree_vec){unit * next.x, unit * next.y};
 		if (how == 0)
-			t->gravity[k] = t->first[k];
+			t->gravity[k] = t->first[t->level[k]];
 		else if (how == 1 || random_below(3) == 0)
 			t->gravity[k] = next;
 		OK(scree_world_set_gravity(t->alone[k], t->gravity[k]));
 	}
 	OK(scree_batch_set_gravity(t->batch, how == 0 ? NULL : t->gravity));
+	t->pulled = how != 0;
 }
 
 static inline void reset_some(Twins* t)
@@ -148,11 +156,23 @@ static inline void reset_some(Twins* t)
 		if (!mask[k])
 			continue;
 		scree_world_destroy(t->alone[k]);
-		t->alone[k] = build_level(t->levels + k % t->level_count);
+		t->level[k] = t->next[k];
+		t->alone[k] = build_level(t->levels + t->level[k]);
+		if (!t->pulled)
+			t->gravity[k] = t->first[t->level[k]];
 		OK(scree_world_set_gravity(t->alone[k], t->gravity[k]));
 		t->paused[k] = 0;
 	}
 	OK(scree_batch_reset(t->batch, mask));
+}
+
+// Chooses templates for the next resets.
+static inline void vary_some(Twins* t)
+{
+	for (int k = 0; k < t->worlds; ++k)
+		if (random_below(3) == 0)
+			t->next[k] = random_below(t->level_count);
+	OK(scree_batch_set_templates(t->batch, t->next));
 }
 
 static inline void pause_some(Twins* t)
@@ -168,7 +188,7 @@ static inline void copy_some(Twins* t)
 {
 	int32_t from = random_below(t->worlds), to = (from + t->level_count) % t->worlds;
 	size_t bytes = scree_batch_get_state_bytes(t->batch);
-	if (to % t->level_count != from % t->level_count)
+	if (t->level[to] != t->level[from])
 		return;
 	char* row = malloc(bytes);
 	OK(scree_batch_save(t->batch, &from, 1, row, bytes));
@@ -203,6 +223,8 @@ static inline void run_twins(Twins* t, int steps)
 		int length = random_below(4 * t->rare) == 0 ? random_below((int)(sizeof lengths / sizeof *lengths)) : 0;
 		if (random_below(4 * t->rare) == 0)
 			set_gravity(t);
+		if (t->varied && random_below(5 * t->rare) == 0)
+			vary_some(t);
 		if (random_below(5 * t->rare) == 0)
 			reset_some(t);
 		if (random_below(5 * t->rare) == 0)
@@ -222,7 +244,8 @@ static inline void run_twins(Twins* t, int steps)
 	}
 }
 
-static inline void check_levels(const Level* levels, int count, int worlds, int steps, int rare)
+// varied: worlds get other templates. rare: Twins.rare.
+static inline void check_levels(const Level* levels, int count, int worlds, int steps, int rare, bool varied)
 {
 	const struct
 	{
@@ -233,7 +256,7 @@ static inline void check_levels(const Level* levels, int count, int worlds, int 
 	{
 		if (!places[k].device[0])
 			continue;
-		Twins t = {.levels = levels, .level_count = count, .worlds = worlds, .rare = rare};
+		Twins t = {.levels = levels, .level_count = count, .worlds = worlds, .rare = rare, .varied = varied};
 		random_state = 17u + (uint32_t)k;
 		open_twins(&t, places[k].device, places[k].threads, places[k].lanes);
 		compare(&t, -1);

@@ -75,6 +75,28 @@ void scree_batch_destroy(scree_batch* batch)
 	batch_destroy(batch);
 }
 
+scree_status api_batch_set_templates(scree_batch* batch, const int32_t* template_of)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_set_templates";
+	TRY(batch_check(batch, function));
+	TRY(check_pointer(function, "template_of", template_of));
+	if (!batch->next_of)
+		return fail(SCREE_ERROR_INVALID, "%s: the batch was created without scree_batch_def.other_templates", function);
+	for (int k = 0; k < batch->worlds; ++k)
+	{
+		ArgumentPlace at = {function, "template_of", k};
+		if (template_of[k] < 0 || template_of[k] >= batch->template_count)
+			return refuse(SCREE_ERROR_INVALID, at, "", "is %d, must be from 0 to %d", template_of[k],
+			              batch->template_count - 1);
+		if (!template_fits(batch->templates + template_of[k], batch->templates + batch->template_of[k]))
+			return refuse(SCREE_ERROR_INVALID, at, "", "is %d, whose tuning is not that of template %d", template_of[k],
+			              batch->template_of[k]);
+	}
+	memcpy(batch->next_of, template_of, sizeof(int) * (size_t)batch->worlds);
+	return SCREE_OK;
+}
+
 typedef struct // rows of inputs to check
 {
 	const char* function;

@@ -30,7 +30,8 @@ scree_status api_batch_set_gravity(scree_batch* batch, const scree_vec* gravity)
 	for (int k = 0; gravity && k < batch->worlds; ++k)
 		TRY(check_vec((ArgumentPlace){function, "gravity", k}, "", gravity[k], FLT_MAX));
 	scree_vec *before = batch->gravity, *now = NULL;
-	if (gravity || before)
+	bool pulls = batch->sets[CHANNELS_STEP].pulls || batch->sets[CHANNELS_RESET].pulls;
+	if (gravity || pulls)
 	{
 		now = scree_allocate(sizeof *now * (size_t)batch->worlds);
 		if (!now)
