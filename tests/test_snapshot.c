@@ -3,7 +3,7 @@
 //
 // Formula: hash(restored, step) = hash(not stopped, step). Random programs also take and restore snapshots between any
 // two calls (tests/programs/run_snapshot.c).
-#include "support/make_joints.h"
+#include "support/make_paths.h"
 #include "support/second_device.h"
 #include "support/small_scenes.h"
 #include "support/snapshots.h"
@@ -136,12 +136,41 @@ static void clones_go_their_own_way(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// A new joint on a short path has the slot, and until the next step the rows, of one that was far along a longer path.
+static void new_joints_need_no_rows(void** state)
+{
+	(void)state;
+	scree_world *world = open_world(-10.0f), *clone;
+	scree_vec points[21];
+	for (int k = 0; k < 21; ++k)
+		points[k] = (scree_vec){(float)k, 0.3f * (float)(k % 3)};
+	scree_path longest = add_path(world, points, 21, false), shortest = add_path(world, points, 3, false);
+	scree_body first = add_disc(world, 0.2f, 15.0f, 0.0f), second = add_disc(world, 0.2f, 1.0f, 0.3f);
+	ride(world, longest, first, false);
+	run_steps(world, 3);
+	OK(scree_body_destroy(world, first));
+	ride(world, shortest, second, false);
+	Saved saved = save(world);
+	OK(scree_world_clone(world, NULL, &clone));
+	run_steps(world, 5);
+	uint64_t expected = hash_of(world);
+	OK(scree_world_restore(world, saved.bytes, saved.size));
+	run_steps(world, 5);
+	run_steps(clone, 5);
+	assert_true(hash_of(world) == expected && hash_of(clone) == expected);
+	scree_world_destroy(world);
+	scree_world_destroy(clone);
+	free(saved.bytes);
+	assert_int_equal(scree_memory(), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(scenes_go_on),
 	    cmocka_unit_test(what_is_read_stays),
 	    cmocka_unit_test(clones_go_their_own_way),
+	    cmocka_unit_test(new_joints_need_no_rows),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

@@ -117,7 +117,7 @@ static scree_status check_joints(const ChunkIndex* index, const Expected* expect
 			CHECK_ITEM(fabsf(data->lock[c].target) <= FLT_MAX && fabsf(data->drive[c].speed) <= FLT_MAX &&
 			               fabsf(data->drive[c].motor_most) <= FLT_MAX,
 			           "joint_data", k);
-		if (!(is.flags & JOINT_THERE) || !((int)data->modes & JOINT_RAILED))
+		if (!(is.flags & JOINT_THERE) || !((int)data->modes & JOINT_RAILED) || row->joint_flags[k] & JOINT_NEW)
 			continue;
 		float segment = row->joint_rare_kept[k].path_segment;
 		CHECK_ITEM(segment >= 0.0f && segment < data->path_segments, "joint_rare_kept", k);

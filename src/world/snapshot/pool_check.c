@@ -161,7 +161,8 @@ static scree_status check_rows(const ChunkIndex* index, const scree_world* world
 		int lane = place % MAX_LANES, slot = ITEMS(int, joint_place_slot)[place];
 		CHECK_ITEM(in_range(rows->body_a[lane], 0, world->bodies.used), "joint_rows", place);
 		CHECK_ITEM(in_range(rows->body_b[lane], 0, world->bodies.used), "joint_rows", place);
-		if (slot < 0 || world->host_joints[slot].path < 0)
+		// a new joint does not read the row, which may be that of an earlier joint on another path
+		if (slot < 0 || world->host_joints[slot].path < 0 || ITEMS(int, joint_flags)[slot] & JOINT_NEW)
 			continue;
 		float segment = rare->path_segment[lane],
 		      last = (float)world->host_paths[world->host_joints[slot].path].segments;
