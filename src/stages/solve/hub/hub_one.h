@@ -7,12 +7,13 @@
 #include "stages/color/key_bound.h"
 #include "stages/color/spoke.h"
 
-// Frees the color of contact i if one of its bodies became a hub: the contact becomes a spoke.
+// Frees the color of contact i if one of its bodies became a hub: the contact becomes a spoke. Stages that are repeated with
+// larger pools have not found yet which contacts begin and end.
 KERNEL(hub_enter)
 {
 	int color = p->contact_color[i];
 	Int2 bodies = p->contact_bodies[i];
-	if (color < 0 || color == COLORS || !hub_wants(p, bodies))
+	if (color < 0 || color == COLORS || p->counters->stalled || !hub_wants(p, bodies))
 		return;
 	edge_free_color(p, bodies, color);
 	p->contact_color[i] = COLORS;
