@@ -252,6 +252,10 @@ static void bad_arguments_are_refused(void** state)
 	def.device = "auto";
 	REFUSED(scree_batch_create(&def, &batch),
 	        "scree_batch_create: def.device is \"auto\", which worlds of a batch cannot have yet");
+	def.device = "gpu";
+	REFUSED(scree_batch_create(&def, &batch), "scree_batch_create: def.device is \"gpu\", must be \"auto\", \"cpu\", "
+	                                          "\"opencl\" or \"opencl:NAME\", NAME a part "
+	                                          "of the name of the device or of its driver, case ignored");
 	def.device = "cpu";
 	def.lanes = 3;
 	REFUSED(scree_batch_create(&def, &batch), "lanes is 3, but must be 0, 1, 4, 8 or 16");

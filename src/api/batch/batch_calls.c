@@ -42,7 +42,7 @@ static scree_status check_def(const char* function, const scree_batch_def* def)
 	ArgumentPlace at = {function, "def", ALONE};
 	if (def->worlds < 1 || def->worlds > MAX_ITEMS)
 		return refuse(SCREE_ERROR_INVALID, at, ".worlds", "is %d, must be from 1 to %d", def->worlds, MAX_ITEMS);
-	TRY(check_pointer(function, "def.device", def->device));
+	TRY(check_device(at, ".device", def->device));
 	if (strcmp(def->device, "auto") == 0)
 		return refuse(SCREE_ERROR_INVALID, at, ".device", "is \"auto\", which worlds of a batch cannot have yet");
 	if (def->contact_limit < 0 || def->contact_limit > MOST_BAY_ITEMS)
@@ -65,7 +65,9 @@ scree_status api_batch_create(const scree_batch_def* def, scree_batch** batch)
 	scree_batch_def local;
 	def = definition_at(def, 0, &batch_definition, &local);
 	TRY(check_def(function, def));
+#ifndef SCREE_SMALL // a build for WebAssembly has no self test
 	TRY(cpu_self_test(function));
+#endif
 	return batch_create(def, function, batch);
 }
 
