@@ -1,4 +1,4 @@
-# examples.cmake -- builds examples that tests run: rollback, evolve, and the steps of the first game, whose window needs SDL2.
+# examples.cmake -- builds examples that tests run: rollback, train, evolve, and the steps of the first game, whose window needs SDL2.
 file(GLOB rollback_sources CONFIGURE_DEPENDS examples/rollback/*.c)
 
 # not installed: it is a source to read; examples/CMakeLists.txt builds all examples with an installed library
@@ -8,6 +8,11 @@ if(UNIX)
 	scree_flags(rollback)
 	target_link_libraries(rollback PRIVATE scree::scree m)
 endif()
+
+# a cart learns to balance a pole, in a batch
+add_executable(train examples/train.c)
+scree_flags(train)
+target_link_libraries(train PRIVATE scree::scree $<$<NOT:$<BOOL:${WIN32}>>:m>)
 
 # evolution of a gait in a batch; evolve_mpi over the ranks of MPI
 if(TARGET scree::scene)

@@ -22,6 +22,8 @@ for shared in OFF ON; do
 	LD_LIBRARY_PATH=$libdir "$build/hello" | tee "$scratch/cmake_$shared.txt"
 	LD_LIBRARY_PATH=$libdir "$build/car" | tee "$scratch/car_$shared.txt"
 	LD_LIBRARY_PATH=$libdir "$build/time" | tee "$scratch/time_$shared.txt"
+	LD_LIBRARY_PATH=$libdir "$build/train" | tee "$scratch/train_$shared.txt"
+	cmp "$scratch/train_OFF.txt" "$scratch/train_$shared.txt"
 	if [ -x "$build/step8_gpu" ]; then # SDL2 is installed
 		SDL_VIDEODRIVER=dummy LD_LIBRARY_PATH=$libdir "$build/step8_gpu" --frames 60 | tee "$scratch/game_$shared.txt"
 		cmp "$scratch/game_OFF.txt" "$scratch/game_$shared.txt"
