@@ -170,7 +170,7 @@ static const OptionRow rows[] = {
     {&queries, QUERIES},
     {&repeats, BENCH | QUERIES},
     {&whole, BENCH},
-    {&worlds, RUN | BENCH | VIEW},
+    {&worlds, RUN | HASH | BENCH | VIEW},
     {&show, RUN},
     {&resets, BENCH},
     {&template_steps, BENCH},

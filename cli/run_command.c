@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// run_command.c -- scree run, which prints a table of results, and scree hash, which prints the hash.
+// run_command.c -- scree run, which prints a table of results, and scree hash, which prints the hash, or the sum of the hashes of many worlds.
 #include "batch_scene.h"
 #include "cli/common/library_error.h"
 #include "cli/common/open_scene.h"
 #include "cli/common/outputs.h"
 #include "cli/common/run_report.h"
 #include "commands.h"
+#include "hash_worlds.h"
 #include "run_files.h"
 #include "run_worlds.h"
 #include "scene/load.h"
@@ -86,15 +87,27 @@ int run_command(const Options* given)
 	return code;
 }
 
-int hash_command(const Options* options)
+int hash_command(const Options* given)
 {
-	Scene* scene = open_scene(options, options->arguments[0]);
+	Scene* scene = open_scene(given, given->arguments[0]);
 	if (!scene)
 		return EXIT_BAD;
+	bool many = given->worlds > 0;
+	Options batched = many ? batch_options(given) : *given, *options = &batched;
+	if (many && !batch_takes(options, scene))
+	{
+		scene_free(scene);
+		return EXIT_BAD;
+	}
 	ScenePlayer player;
 	uint64_t hash = 0;
 	int code = open_player(options, scene, false, &player);
-	if (code == EXIT_GOOD)
+	if (code == EXIT_GOOD && many)
+	{
+		code = hash_worlds(options, &player, &hash);
+		player_close(&player);
+	}
+	else if (code == EXIT_GOOD)
 	{
 		scree_status status = SCREE_OK;
 		int steps = options_steps(options, scene);

@@ -14,10 +14,10 @@ else()
 	set(jansson PkgConfig::JANSSON)
 endif()
 
-# files that draw, search the folders of scenes, or use internal functions of the library
+# files that draw, search the folders of scenes, use internal functions of the library, or are for programs of this build
 set(drawing ${scene_sources})
 list(FILTER drawing INCLUDE REGEX
-	"/(canvas|caption|detail|find|heading|links|moment_file|picture|player_file|regions|scan_picture|shades|sleepers|sprites|stage_times|video|viewport)\\.c$")
+	"/(canvas|caption|detail|find|heading|links|moment_file|picture|player_file|regions|scan_picture|shades|sleepers|sprites|stage_times|video|viewport|wall_inputs)\\.c$")
 list(REMOVE_ITEM scene_sources ${drawing})
 
 if(NOT JANSSON_FOUND AND CMAKE_CROSSCOMPILING)

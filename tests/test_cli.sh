@@ -338,6 +338,20 @@ sleeping=$(sed -n 's/^hash  *//p' out)
 expect 0 "$sleeping" run "${few[@]}" --worlds 4 --show 2 --sleep on --steps 90
 [ -e x.png ] && fail "run --worlds: a picture in spite of the error"
 
+# hash --worlds: the first world has no random inputs, so one world has the hash of the scene alone; the page compares its walls
+# with the sums in web/start.json
+expect 0 "$hash" hash "${few[@]}" --worlds 1
+expect 0 "$("$scree" hash "${few[@]}" --worlds 7 --threads 1)" hash "${few[@]}" --worlds 7 --threads 2 --lanes 1
+[ "$("$scree" hash "${few[@]}" --worlds 7)" = "$("$scree" hash "${few[@]}" --worlds 8)" ] && fail "hash --worlds: worlds are equal"
+walls=0
+while read -r scene steps sum; do
+	expect 0 "$sum" hash "$scene" --worlds 64 --steps "$steps"
+	walls=$((walls + 1))
+done < <(sed -nE 's/.*"name": "([a-z-]+)".*"wall": \{"steps": ([0-9]+), "sum": "([0-9a-f]+)".*/\1 \2 \3/p' "$SCREE_SOURCE/web/start.json")
+[ "$walls" -ge 5 ] || fail "web/start.json has only $walls walls"
+refuse 2 'churn has churn, which the worlds of a batch cannot have' hash churn --worlds 4
+expect 0 "$("$scree" hash alarm-clock --steps 60)" hash alarm-clock --steps 60 --worlds 1
+
 # validate: one experiment, and arguments that are refused; tests/test_validate.sh checks the rows of this command
 expect 0 'motion,free spin for a minute,scree,change of spin,' validate --quick --device cpu --threads 1 motion
 expect 0 'motion' validate --names

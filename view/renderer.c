@@ -90,7 +90,8 @@ static scree_status fetch_joints(Renderer* r)
 
 scree_status renderer_fetch(Renderer* r, const Camera* camera, const Style* style)
 {
-	scree_status status = paint_tables_fill_asleep(&r->tables);
+	// the bodies of a wall sleep as their worlds do, not as the template
+	scree_status status = r->tiles.count > 0 ? SCREE_OK : paint_tables_fill_asleep(&r->tables);
 	r->contact_count = 0;
 	if (status != SCREE_OK)
 		return status;

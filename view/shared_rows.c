@@ -174,7 +174,7 @@ scree_status share_update(Share* share)
 	return status;
 }
 
-void share_put(Share* share, const scree_render_row* rows, int count)
+scree_status share_put(Share* share, const scree_render_row* rows, int count)
 {
 	if (!share->buffer)
 		glGenBuffers(1, &share->buffer);
@@ -182,6 +182,7 @@ void share_put(Share* share, const scree_render_row* rows, int count)
 	share->count = share->capacity = count;
 	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
 	glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)count * sizeof *rows), rows, GL_STREAM_DRAW);
+	return SCREE_OK;
 }
 
 const char* share_error(const Share* share) { return *share->sentence ? share->sentence : scree_error(); }

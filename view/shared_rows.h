@@ -33,7 +33,7 @@ void share_open(Share* share, scree_world* world, bool copy);
 scree_status share_update(Share* share);
 
 // Fills the buffer with `count` rows of the host instead of those of the world.
-void share_put(Share* share, const scree_render_row* rows, int count);
+scree_status share_put(Share* share, const scree_render_row* rows, int count);
 
 // Returns the error message of the last share_update that failed.
 const char* share_error(const Share* share);

@@ -34,20 +34,36 @@ static bool make_room(Share* share)
 	return true;
 }
 
+// Makes room for Share.count rows.
+static scree_status ensure_room(Share* share)
+{
+	if (share->count <= share->capacity || make_room(share))
+		return SCREE_OK;
+	snprintf(share->sentence, sizeof share->sentence, "there is no memory for %d rows", share->count);
+	return SCREE_ERROR_OUT_OF_MEMORY;
+}
+
 scree_status share_update(Share* share)
 {
 	scree_status status = scree_world_get_render_rows(share->world, NULL, 0, &share->count);
+	if (status == SCREE_OK)
+		status = ensure_room(share);
 	if (status != SCREE_OK)
 		return status;
-	if (share->count > share->capacity && !make_room(share))
-	{
-		snprintf(share->sentence, sizeof share->sentence, "there is no memory for %d rows", share->count);
-		return SCREE_ERROR_OUT_OF_MEMORY;
-	}
 	status = scree_world_get_render_rows(share->world, share->rows, share->capacity, &share->count);
 	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
 	if (status == SCREE_OK && share->count > 0)
 		glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)share->count * (GLsizeiptr)sizeof *share->rows, share->rows);
+	return status;
+}
+
+scree_status share_put(Share* share, const scree_render_row* rows, int count)
+{
+	share->count = count;
+	scree_status status = ensure_room(share);
+	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);
+	if (status == SCREE_OK)
+		glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)count * (GLsizeiptr)sizeof *rows, rows);
 	return status;
 }
 

@@ -181,9 +181,15 @@ bool viewer_open_wall(Viewer* v, char* sentence)
 		snprintf(sentence, SENTENCE, "--paint %s cannot show a wall of worlds", paint_names[v->style.paint]);
 		return false;
 	}
-	if (!wall_open(&v->wall, v->options->worlds, session, render_tables_view(&v->renderer.tables, session->scene),
-	               sentence))
+	scree_batch_def def = scree_batch_def_default();
+	def.worlds = v->options->worlds;
+	def.device = strcmp(session->device, "auto") == 0 ? "cpu" : session->device;
+	def.threads = v->options->threads;
+	def.lanes = v->options->lanes;
+	def.allow_unequal_bits = v->options->allow_unequal_bits;
+	if (!wall_open(&v->wall, session->scene, session->player.world, &def, sentence))
 		return false;
+	wall_place(&v->wall, render_tables_view(&v->renderer.tables, session->scene));
 	v->renderer.tiles = (Tiles){v->wall.worlds, v->wall.row_count, v->wall.boxes};
 	v->session.counters.bodies *= v->wall.worlds;
 	v->panel = v->hovers = false;

@@ -9,12 +9,12 @@
 #include "view/renderer.h"
 #include "view/shader.h"
 #include "view/shared_rows.h"
+#include "view/wall.h"
 #include "view/window/capture.h"
 #include "view/window/event_queue.h"
 #include "view/window/history.h"
 #include "view/window/past.h"
 #include "view/window/session.h"
-#include "view/window/wall.h"
 
 typedef struct GLFWwindow GLFWwindow;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// wall_inputs.c -- random inputs of a wall of worlds: speeds of motors or, without motors, pushes of bodies.
-#include "view/window/wall_inputs.h"
-#include "view/shader.h"
+// wall_inputs.c -- random inputs of the worlds of a batch: speeds of motors or, without motors, pushes of bodies.
+#include "scene/wall_inputs.h"
+#include "scene/scene.h"
 #include <math.h>
 #include <scree/scree_math.h>
 #include <stdio.h>
@@ -80,7 +80,7 @@ bool wall_inputs_bind(WallInputs* inputs, scree_batch* batch, scree_world* world
 	inputs->middles = malloc(most * sizeof *inputs->middles);
 	inputs->ranges = malloc(most * sizeof *inputs->ranges);
 	bool memory = joints && made.list && inputs->middles && inputs->ranges;
-	snprintf(sentence, SENTENCE, "out of memory for the inputs of %d bodies", count);
+	snprintf(sentence, SCENE_SENTENCE, "out of memory for the inputs of %d bodies", count);
 	if (memory && status == SCREE_OK)
 		status = scree_world_get_joints(world, joints, joint_count, &joint_count);
 	if (memory && status == SCREE_OK)
@@ -90,7 +90,7 @@ bool wall_inputs_bind(WallInputs* inputs, scree_batch* batch, scree_world* world
 	if (memory && status == SCREE_OK)
 		status = scree_batch_bind(batch, SCREE_STEP_INPUTS, made.list, made.count, NULL);
 	if (memory && status != SCREE_OK)
-		snprintf(sentence, SENTENCE, "%s", scree_error());
+		snprintf(sentence, SCENE_SENTENCE, "%s", scree_error());
 	free(joints);
 	free(made.list);
 	return memory && status == SCREE_OK;
@@ -116,4 +116,16 @@ void wall_inputs_close(WallInputs* inputs)
 	free(inputs->ranges);
 	free(inputs->middles);
 	*inputs = (WallInputs){0};
+}
+
+scree_status wall_sum(scree_batch* batch, uint64_t* sum)
+{
+	int worlds = scree_batch_get_worlds(batch);
+	uint64_t* hashes = malloc(((size_t)worlds + 1) * sizeof *hashes);
+	scree_status status = hashes ? scree_batch_get_hashes(batch, hashes) : SCREE_ERROR_OUT_OF_MEMORY;
+	*sum = 0;
+	for (int k = 0; k < worlds && status == SCREE_OK; ++k)
+		*sum += hashes[k];
+	free(hashes);
+	return status;
 }

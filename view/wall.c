@@ -3,7 +3,7 @@
 //
 // Channels write the inputs and read the poses of the bodies. Every world has the shapes of the template, so its render
 // rows are those of the template at other poses, moved to its tile.
-#include "view/window/wall.h"
+#include "view/wall.h"
 #include "scene/between_steps.h"
 #include "view/shader.h"
 #include <math.h>
@@ -12,6 +12,7 @@
 #include <string.h>
 
 #define SPACING 1.04f // distance of tiles, in widths or heights of a tile
+#define ASPECT  1.6f  // width of a wall divided by its height
 #define POSE    4     // columns of a pose
 
 static bool short_of_memory(char* sentence)
@@ -86,10 +87,11 @@ static scree_vec way_to(const Wall* wall, int world)
 	                   -SPACING * high * (float)(world / wall->columns)};
 }
 
-static void place_tiles(Wall* wall, scree_box view)
+void wall_place(Wall* wall, scree_box view)
 {
-	while (wall->columns * wall->columns < wall->worlds)
-		++wall->columns;
+	const float wide = view.upper.x - view.lower.x, high = view.upper.y - view.lower.y;
+	const float columns = roundf(sqrtf((float)wall->worlds * ASPECT * high / fmaxf(wide, 1.0e-6f)));
+	wall->columns = (int)fminf(fmaxf(columns, 1.0f), (float)wall->worlds);
 	wall->boxes[0] = wall->box = view;
 	for (int k = 1; k < wall->worlds; ++k)
 	{
@@ -119,14 +121,13 @@ static bool read_template(Wall* wall, scree_world* world, char* sentence)
 	return good;
 }
 
-bool wall_open(Wall* wall, int worlds, const Session* session, scree_box view, char* sentence)
+bool wall_open(Wall* wall, const Scene* scene, scree_world* world, const scree_batch_def* wanted, char* sentence)
 {
-	const char* has = scene_between_steps(session->scene);
-	scree_world* world = session->player.world;
-	*wall = (Wall){.scene = session->scene, .worlds = worlds};
+	const char* has = scene_between_steps(scene);
+	const int worlds = wanted->worlds;
+	*wall = (Wall){.scene = scene, .worlds = worlds};
 	if (has)
-		snprintf(sentence, SENTENCE, "%.100s has %s, which the worlds of a batch cannot have", session->scene->name,
-		         has);
+		snprintf(sentence, SENTENCE, "%.100s has %s, which the worlds of a batch cannot have", scene->name, has);
 	else if (worlds > WALL_MOST)
 		snprintf(sentence, SENTENCE, "--worlds %d: must be at most %d", worlds, WALL_MOST);
 	if (has || worlds > WALL_MOST)
@@ -135,15 +136,9 @@ bool wall_open(Wall* wall, int worlds, const Session* session, scree_box view, c
 	wall->counters = malloc((size_t)worlds * sizeof *wall->counters);
 	if (!wall->boxes || !wall->counters)
 		return short_of_memory(sentence);
-	place_tiles(wall, view);
-	scree_batch_def def = scree_batch_def_default();
-	def.worlds = worlds;
+	scree_batch_def def = *wanted;
 	def.templates = &world;
 	def.template_count = 1;
-	def.device = strcmp(session->device, "auto") == 0 ? "cpu" : session->device;
-	def.threads = session->options->threads;
-	def.lanes = session->options->lanes;
-	def.allow_unequal_bits = session->options->allow_unequal_bits;
 	if (scree_batch_create(&def, &wall->batch) != SCREE_OK)
 		return failed(sentence);
 	return read_template(wall, world, sentence) && (scree_batch_observe(wall->batch) == SCREE_OK || failed(sentence));
@@ -162,8 +157,7 @@ void wall_close(Wall* wall)
 	*wall = (Wall){0};
 }
 
-// Sums the counters of all worlds. counters: keeps the number of bodies.
-static scree_status sum(Wall* wall, scree_counters* counters)
+scree_status wall_count(Wall* wall, scree_counters* counters)
 {
 	scree_status status = scree_batch_get_counters(wall->batch, wall->counters);
 	counters->steps = wall->steps;
@@ -185,7 +179,7 @@ scree_status wall_step(Wall* wall, scree_counters* counters)
 	wall_inputs_draw(&wall->inputs, wall->batch, wall->steps, wall->scene->dt);
 	scree_status status = scree_batch_step(wall->batch, wall->scene->dt, wall->scene->substeps, 1);
 	wall->steps += status == SCREE_OK;
-	return status == SCREE_OK ? sum(wall, counters) : status;
+	return status == SCREE_OK ? wall_count(wall, counters) : status;
 }
 
 int wall_stopped(const Wall* wall)
@@ -202,7 +196,7 @@ scree_status wall_restart(Wall* wall, scree_counters* counters)
 	if (status == SCREE_OK)
 		status = scree_batch_observe(wall->batch);
 	wall->steps = 0;
-	return status == SCREE_OK ? sum(wall, counters) : status;
+	return status == SCREE_OK ? wall_count(wall, counters) : status;
 }
 
 scree_status wall_show(Wall* wall, Share* share)
@@ -226,8 +220,7 @@ scree_status wall_show(Wall* wall, Share* share)
 			out->pose.position = scree_vec_add(out->pose.position, way);
 		}
 	}
-	share_put(share, all, wall->row_count * wall->worlds);
-	return SCREE_OK;
+	return share_put(share, all, wall->row_count * wall->worlds);
 }
 
 scree_status wall_hash(const Wall* wall, uint64_t* hash)

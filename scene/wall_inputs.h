@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// wall_inputs.h -- random inputs of a wall of worlds: speeds of motors or, without motors, pushes of bodies.
+// wall_inputs.h -- random inputs of the worlds of a batch: speeds of motors or, without motors, pushes of bodies. The viewer, the
+// page and scree hash show the same worlds by them.
 #ifndef WALL_INPUTS_H
 #define WALL_INPUTS_H
 #include "scree/scree.h"
@@ -13,7 +14,7 @@ typedef struct
 } WallInputs;
 
 // Binds the inputs of a batch: the motors of a world or, if it has none, a force on each of `count` bodies. Writes a
-// sentence (SENTENCE of shader.h) and returns false on failure. The caller closes the inputs also on failure.
+// sentence (SCENE_SENTENCE characters) and returns false on failure. The caller closes the inputs also on failure.
 bool wall_inputs_bind(WallInputs* inputs, scree_batch* batch, scree_world* world, const scree_body* bodies, int count,
                       char* sentence);
 void wall_inputs_close(WallInputs* inputs);
@@ -21,5 +22,8 @@ void wall_inputs_close(WallInputs* inputs);
 // Draws new inputs for all worlds but the first if half a second has passed. The first world keeps the middles. steps:
 // number of steps since the start, each of dt, s.
 void wall_inputs_draw(WallInputs* inputs, scree_batch* batch, int64_t steps, float dt);
+
+// Computes the sum of the hashes of all worlds, modulo 2^64.
+scree_status wall_sum(scree_batch* batch, uint64_t* sum);
 
 #endif
