@@ -59,18 +59,35 @@ typedef const float* Bound8;
 
 #define gather_fixed_rows8(base, index, out) gather_rows8(base, index, out)
 
-INLINE int atomic_add_int(int* place, int x) { return __atomic_fetch_add(place, x, __ATOMIC_RELAXED); }
-INLINE int arrive_int(int* place) { return __atomic_fetch_add(place, 1, __ATOMIC_ACQ_REL); }
-INLINE void atomic_and_word64(Word64* place, Word64 x) { __atomic_fetch_and(place, x, __ATOMIC_RELAXED); }
-INLINE int read_shared(int* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
-INLINE Word read_shared_word(Word* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
-INLINE Word64 read_shared_word64(Word64* place) { return __atomic_load_n(place, __ATOMIC_RELAXED); }
-INLINE void write_shared_word(Word* place, Word x) { __atomic_store_n(place, x, __ATOMIC_RELAXED); }
-INLINE void write_shared_word64(Word64* place, Word64 x) { __atomic_store_n(place, x, __ATOMIC_RELAXED); }
+// Operations on numbers that several threads use at once. WebAssembly without threads has plain ones, which are smaller.
+// SHARED_EXCHANGE(place, old, x): stores x and returns 1 if *place is *old, else sets *old to *place; may fail without reason.
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+#define SHARED_LOAD(place)             (*(place))
+#define SHARED_STORE(place, x)         (*(place) = (x))
+#define SHARED_ADD(place, x, order)    ((*(place) += (x)) - (x))
+#define SHARED_AND(place, x)           (*(place) &= (x))
+#define SHARED_OR(place, x)            (*(place) |= (x))
+#define SHARED_EXCHANGE(place, old, x) (*(place) = (x), 1)
+#else
+#define SHARED_LOAD(place)             __atomic_load_n(place, __ATOMIC_RELAXED)
+#define SHARED_STORE(place, x)         __atomic_store_n(place, x, __ATOMIC_RELAXED)
+#define SHARED_ADD(place, x, order)    __atomic_fetch_add(place, x, order)
+#define SHARED_AND(place, x)           __atomic_fetch_and(place, x, __ATOMIC_RELAXED)
+#define SHARED_OR(place, x)            __atomic_fetch_or(place, x, __ATOMIC_RELAXED)
+#define SHARED_EXCHANGE(place, old, x) __atomic_compare_exchange_n(place, old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)
+#endif
+INLINE int atomic_add_int(int* place, int x) { return SHARED_ADD(place, x, __ATOMIC_RELAXED); }
+INLINE int arrive_int(int* place) { return SHARED_ADD(place, 1, __ATOMIC_ACQ_REL); }
+INLINE void atomic_and_word64(Word64* place, Word64 x) { SHARED_AND(place, x); }
+INLINE int read_shared(int* place) { return SHARED_LOAD(place); }
+INLINE Word read_shared_word(Word* place) { return SHARED_LOAD(place); }
+INLINE Word64 read_shared_word64(Word64* place) { return SHARED_LOAD(place); }
+INLINE void write_shared_word(Word* place, Word x) { SHARED_STORE(place, x); }
+INLINE void write_shared_word64(Word64* place, Word64 x) { SHARED_STORE(place, x); }
 INLINE int atomic_max_int(int* place, int x) // returns the old value
 {
 	int old = read_shared(place);
-	while (old < x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+	while (old < x && !SHARED_EXCHANGE(place, &old, x))
 	{
 	}
 	return old;
@@ -78,16 +95,16 @@ INLINE int atomic_max_int(int* place, int x) // returns the old value
 INLINE int atomic_min_int(int* place, int x) // returns the old value
 {
 	int old = read_shared(place);
-	while (old > x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+	while (old > x && !SHARED_EXCHANGE(place, &old, x))
 	{
 	}
 	return old;
 }
-INLINE void atomic_or_int(int* place, int x) { __atomic_fetch_or(place, x, __ATOMIC_RELAXED); }
+INLINE void atomic_or_int(int* place, int x) { SHARED_OR(place, x); }
 INLINE void atomic_max_word(Word* place, Word x)
 {
 	Word old = read_shared_word(place);
-	while (old < x && !__atomic_compare_exchange_n(place, &old, x, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+	while (old < x && !SHARED_EXCHANGE(place, &old, x))
 	{
 	}
 }

@@ -93,8 +93,15 @@
 #endif
 #endif
 
+// Marks a short function that has many callers. In WebAssembly they call it, which saves 0.1 kB of the package, compressed.
+#ifdef __EMSCRIPTEN__
+#define INLINE_SHORT OUT_OF_LINE
+#else
+#define INLINE_SHORT INLINE
+#endif
+
 // Raises the number at `place` to at least x, atomically. A plain read first avoids most of the atomic operations.
-INLINE void raise_int(GLOBAL int* place, int x)
+INLINE_SHORT void raise_int(GLOBAL int* place, int x)
 {
 	if (read_shared(place) < x)
 		atomic_max_int(place, x);

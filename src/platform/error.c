@@ -56,7 +56,7 @@ static void* default_allocate(size_t bytes, size_t alignment, void* context)
 // requested in this way, or if there is no memory.
 static void* zeroed(size_t bytes, void** block)
 {
-#ifdef _WIN32
+#if defined(_WIN32) || defined(SCREE_SMALL) // WebAssembly maps no zeroed memory
 	(void)bytes, (void)block;
 	return NULL;
 #else
