@@ -35,6 +35,13 @@ for form in scalar simd; do
 	timeout 300 node --expose-gc "$scratch/api.mjs" $form
 done
 ${CC:-cc} -std=c17 -I"$SCREE_SOURCE/include" "$SCREE_SOURCE/examples/hello.c" "$SCREE_BUILD/libscree.a" -lm -ldl -pthread -o "$scratch/hello"
+# batches: both engines repeat examples/train.c
+cp "$SCREE_SOURCE/tests/web/batch.mjs" "$scratch"
+for form in scalar simd; do
+	[ "$(timeout 300 node "$scratch/batch.mjs" $form 2>"$scratch/batch.txt")" = "$("$SCREE_BUILD/train" | tail -n 1)" ] ||
+		{ echo "scree/batch ($form) differs from train.c, or fails:"; cat "$scratch/batch.txt"; exit 1; }
+done
+echo "scree/batch: both engines learn as train.c"
 # snapshots that the native library writes: on the CPU with the most lanes, and through OpenCL
 cp "$SCREE_SOURCE/tests/web/snapshots.mjs" "$scratch"
 snapshots()

@@ -3,9 +3,16 @@
 #include "backend/tables.h"
 #include "constraints/constraint_kinds.h"
 
+// An engine without batches needs no names of their pools.
+#ifdef SCREE_NO_BATCHES
+#define NAMED(per) ((per) < PER_BAY || (per) > PER_COLUMN)
+#else
+#define NAMED(per) 1
+#endif
+
 // clang-format off
 const PoolInfo pool_info[POOL_COUNT] = {
-#define X(type, name, per, role) {#name, sizeof(type), PER_##per, role},
+#define X(type, name, per, role) {NAMED(PER_##per) ? #name : "", sizeof(type), PER_##per, role},
 #include "pools/pools.def"
 #undef X
 };

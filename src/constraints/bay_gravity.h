@@ -9,7 +9,7 @@
 #include "pools/bays.h"
 
 // Returns whether the worlds of a batch have different gravity.
-#ifdef SCREE_SMALL
+#ifdef SCREE_NO_BATCHES
 #define GRAVITY_VARIES(p) ((void)(p), 0)
 #else
 #define GRAVITY_VARIES(p) ((p)->step.bays.varied)

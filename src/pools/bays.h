@@ -7,8 +7,8 @@
 #define BAYS_H
 #include "pools/pools.h"
 
-// Returns whether the pools contain the worlds of a batch. A build for WebAssembly has no batches.
-#ifdef SCREE_SMALL
+// Returns whether the pools contain the worlds of a batch. The engine that a page downloads first has no batches.
+#ifdef SCREE_NO_BATCHES
 #define BATCHED(p) ((void)(p), 0)
 #else
 #define BATCHED(p) ((p)->step.bays.worlds != 0)

@@ -56,13 +56,15 @@ SMALL_BEGIN
 #include "stages/read/joint_report.h"
 #include "stages/read/hash.h"
 #include "stages/save/tidy.h"
-#ifndef SCREE_SMALL
+#ifndef SCREE_NO_BATCHES
 #include "stages/batch/bay_edit.h"
 #include "stages/batch/bay_hash.h"
-#include "stages/batch/bay_leaf.h"
 #include "stages/batch/layout_patch.h"
 #include "stages/batch/channel_output.h"
 #include "stages/batch/channel_angles.h"
+#endif
+#ifndef SCREE_SMALL
+#include "stages/batch/bay_leaf.h"
 #include "stages/finalize/finalize_wide.h"
 #endif
 SMALL_END

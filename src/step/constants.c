@@ -139,9 +139,9 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .dt = dt,
 	    .h = h,
 	    .inv_h = rate,
-	    .h_ratio = moves && pipeline->lengths_vary    ? 0.0f
-	               : moves && pipeline->step.h > 0.0f ? h / pipeline->step.h
-	                                                  : 1.0f,
+	    .h_ratio = moves && OF_BATCH(pipeline) && pipeline->lengths_vary ? 0.0f
+	               : moves && pipeline->step.h > 0.0f                    ? h / pipeline->step.h
+	                                                                     : 1.0f,
 	    .gravity_x = gravity.x,
 	    .gravity_y = gravity.y,
 	    .max_speed = tuning->max_speed,
@@ -190,9 +190,11 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .traversal_items = b->traversal_items < collidables ? b->traversal_items : collidables,
 	    .key_bits = index_bits(collidables),
 	};
-	step_bays(&step, &pipeline->bays);
-	if (pipeline->bays.worlds)
+	if (OF_BATCH(pipeline))
+	{
+		step_bays(&step, &pipeline->bays);
 		step.contact_capacity = bays_contacts(pipeline);
+	}
 	step_places(&step, b);
 	return step;
 }

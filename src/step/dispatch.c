@@ -27,7 +27,7 @@ scree_status apply_commands(Pipeline* pipeline, const Step* step, const StepComm
 
 scree_status apply_targets(Pipeline* pipeline, const Step* step, const StepRequest* request, int part)
 {
-#ifdef SCREE_SMALL
+#ifdef SCREE_NO_BATCHES
 	(void)pipeline, (void)step, (void)request, (void)part;
 	return SCREE_OK;
 #else

@@ -81,7 +81,7 @@ static scree_status grow(Pipeline* pipeline, Step* step)
 	const Counters* c = &pipeline->counters;
 	if (c->over_limit)
 		return contact_limit_fail(pipeline, step);
-#ifndef SCREE_SMALL
+#ifndef SCREE_NO_BATCHES
 	pipeline->crowded = c->crowded > pipeline->bay_limit;
 	if (c->crowded)
 		return pipeline->crowded ? SCREE_ERROR_CONTACT_LIMIT : bays_grow(pipeline, step, c->crowded);
@@ -219,7 +219,8 @@ static bool is_quiet(const Pipeline* pipeline, const StepRequest* request)
 {
 	bool same = request->dt == 0.0f || pipeline->counters.joints == 0 ||
 	            request->dt / (float)request->substeps == pipeline->step.h;
-	same = same && !pipeline->lengths_vary && (request->dt == pipeline->step.dt || !depends_on_length(pipeline));
+	same = same && !(OF_BATCH(pipeline) && pipeline->lengths_vary) &&
+	       (request->dt == pipeline->step.dt || !depends_on_length(pipeline));
 	return pipeline->quiet >= QUIET_STEPS && pipeline->sparse == 0 && !pipeline->edited &&
 	       !pipeline->counters.joined_islands && request->sleep && request->commands.count == 0 && !pipeline->asks &&
 	       same;

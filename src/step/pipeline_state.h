@@ -141,4 +141,11 @@ typedef struct
 	scree_traffic traffic;           // traffic of the last step
 } Pipeline;
 
+// Returns whether a pipeline or a step is that of a batch. The engine that a page downloads first has no batches.
+#ifdef SCREE_NO_BATCHES
+#define OF_BATCH(steps) ((void)(steps), false)
+#else
+#define OF_BATCH(steps) ((steps)->bays.worlds > 0)
+#endif
+
 #endif

@@ -144,7 +144,7 @@ bool pipeline_sparse(Pipeline* pipeline)
 {
 	const Counters* c = &pipeline->counters;
 	int64_t alive = c->alive - c->released;
-	if (pipeline->bays.worlds) // slots of a bay are never packed
+	if (OF_BATCH(pipeline)) // slots of a bay are never packed
 		return false;
 	pipeline->sparse = c->contacts > SPARSE_SHARE * alive + SPARSE_SLOTS ? pipeline->sparse + 1 : 0;
 	return pipeline->sparse >= SPARSE_STEPS;
@@ -161,7 +161,7 @@ scree_status pipeline_trim(Pipeline* pipeline)
 	note(pipeline, PER_SPOKE, layout_spokes(c));
 	note(pipeline, PER_SPOKE_BLOCK, layout_spokes(c) / MAX_LANES);
 	note(pipeline, PER_KEY, larger(c->pairs, layout_spokes(c)));
-	if (++pipeline->idle < IDLE_STEPS || pipeline->bays.worlds)
+	if (++pipeline->idle < IDLE_STEPS || OF_BATCH(pipeline))
 		return SCREE_OK;
 	TRY(shrink_all(pipeline));
 	pipeline->idle = 0;

@@ -53,8 +53,8 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	               .branches = pipeline->branches,
 	               .chain_places = pipeline->chain_places,
 	               .taut = pipeline->taut != 0, // without colored joints too, because body_taut clears the counter
-	               .batch = step->bays.worlds > 0,
-	               .wide = step->bays.worlds > 0 && !step->sleep && !b->distant && b->lanes > 1,
+	               .batch = OF_BATCH(step),
+	               .wide = OF_BATCH(step) && !step->sleep && !b->distant && b->lanes > 1,
 	               .counters = c,
 	               .bound = bound,
 	               .visited = bound};

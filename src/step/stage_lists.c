@@ -82,12 +82,15 @@ static void tree_refit_stale(RunList* list, TreeState* state, const Step* step, 
 static bool tree_is_listed(const Pipeline* pipeline, const Step* step)
 {
 	const TreeState* state = &pipeline->trees[0];
-	return step->sleep && !step->bays.worlds && pipeline->listed && state->change != TREE_MOVED &&
+	return step->sleep && !OF_BATCH(step) && pipeline->listed && state->change != TREE_MOVED &&
 	       (step->kinematic == 0 || state->movers);
 }
 
-// Returns whether the boxes of leaves are computed in lanes: in a batch on a CPU.
-static bool in_lanes(const Pipeline* pipeline) { return pipeline->bays.worlds && !pipeline->backend->distant; }
+// Returns whether the boxes of leaves are computed in lanes: in a batch on a CPU, except in WebAssembly.
+static bool in_lanes(const Pipeline* pipeline)
+{
+	return !SMALL_CODE && OF_BATCH(pipeline) && !pipeline->backend->distant;
+}
 
 // Lists the runs that compute all boxes of the tree of a batch on a CPU.
 static void list_bay_leaves(RunList* list, const TreeState* state, int count)
@@ -106,7 +109,7 @@ static void list_tree_boxes(Pipeline* pipeline, const Step* step, int t, bool ju
 	RunList* list = &pipeline->list;
 	TreeState* state = &pipeline->trees[t];
 	bool listed = t == 0 && tree_is_listed(pipeline, step);
-	bool all = state->change != TREE_KEPT || (t == 0 && step->sleep && !step->bays.worlds);
+	bool all = state->change != TREE_KEPT || (t == 0 && step->sleep && !OF_BATCH(step));
 	if (listed)
 		tree_refit_stale(list, state, step, jumps);
 	else if (jumps)
@@ -178,7 +181,7 @@ scree_status list_transform(Pipeline* pipeline, const Step* step, int bodies)
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		bool wants = !step->bays.worlds && tree_wants_order(state);
+		bool wants = !OF_BATCH(step) && tree_wants_order(state);
 		state->ordered = !wants && pipeline->jumps && tree_churns(state);
 		if (wants || state->ordered)
 		{
@@ -217,8 +220,8 @@ static void list_free_slots(Pipeline* pipeline, const Step* step)
 	RunList* list = &pipeline->list;
 	int groups = group_count(pipeline->backend, GROUPS_OF_CONTACTS) + 1,
 	    slots = step->sleep ? groups : step->contact_capacity;
-#ifndef SCREE_SMALL
-	if (step->bays.worlds)
+#ifndef SCREE_NO_BATCHES
+	if (OF_BATCH(step))
 	{
 		runs_add(list, KERNEL_contact_list_bay, 0, step->pair_capacity, COUNT(sort_pairs), pipeline->bay_limit);
 		return;
@@ -287,7 +290,7 @@ static void list_field_boxes(Pipeline* pipeline, const StepRequest* request, int
 {
 	RunList* list = &pipeline->list;
 	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
-	if (pipeline->bays.worlds)
+	if (OF_BATCH(pipeline))
 		padded *= pipeline->live_bays;
 	runs_add(list, KERNEL_field_place, 0, padded, bound, fields);
 	if (fields > FIELD_FEW)
@@ -311,8 +314,8 @@ void list_sleep(Pipeline* pipeline, const Step* step, const StepRequest* request
 	runs_add(list, KERNEL_contact_wake, 0, contacts, COUNT(shifted), 0);
 	if (joints > 0)
 		runs_add(list, KERNEL_joint_wake, 0, joints, COUNT(woken), 0);
-#ifndef SCREE_SMALL
-	if (pipeline->bays.worlds)
+#ifndef SCREE_NO_BATCHES
+	if (OF_BATCH(pipeline))
 	{
 		search = request->sleep && step->dt > 0.0f ? SEARCH_BAYS : SEARCH_NEVER;
 		runs_add(list, KERNEL_bay_sleep, 0, pipeline->live_bays, NO_COUNT, search ? (int)pipeline->steps : -1);
@@ -360,8 +363,8 @@ static int color_bits(const Pipeline* pipeline, int bodies)
 // bays that are not stepped; rounded up to whole groups, because the number of contacts in active groups is.
 static int slots_most(const Pipeline* pipeline, int kind)
 {
-	return pipeline->bays.worlds ? group_items(kind_items(&pipeline->counters, kind))
-	                             : pipeline->backend->capacity[kind_info[kind].items];
+	return OF_BATCH(pipeline) ? group_items(kind_items(&pipeline->counters, kind))
+	                          : pipeline->backend->capacity[kind_info[kind].items];
 }
 
 // Lists the runs that lay out constraints of a kind by color, if any began or ended. bits: number of bits of sort keys.
@@ -393,13 +396,13 @@ void list_layout(Pipeline* pipeline, int bodies, int colored)
 // Lists the runs that repair the layout of the worlds of a batch. colored: as in list_layout.
 static void list_patch(Pipeline* pipeline, int colored)
 {
-#ifndef SCREE_SMALL
+#ifndef SCREE_NO_BATCHES
 	static const int patches[] = {
 #define CONSTRAINT_KIND(kind, Kind, KIND) KERNEL_##kind##_patch,
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	};
-	for (int kind = 0; kind < CONSTRAINT_KINDS && pipeline->bays.worlds; ++kind)
+	for (int kind = 0; kind < CONSTRAINT_KINDS && OF_BATCH(pipeline); ++kind)
 		if (kind_items(&pipeline->counters, kind) > 0)
 			runs_add(&pipeline->list, patches[kind], 0, 1, COUNT(changed), colored);
 #else
@@ -451,8 +454,8 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 
 void list_bays(Pipeline* pipeline)
 {
-#ifndef SCREE_SMALL
-	if (pipeline->bays.worlds)
+#ifndef SCREE_NO_BATCHES
+	if (OF_BATCH(pipeline))
 		runs_add(&pipeline->list, KERNEL_bay_begin, 0, pipeline->live_bays, NO_COUNT, 0);
 #else
 	(void)pipeline;

@@ -56,7 +56,7 @@ int tree_nodes(int leaves)
 static int room_of(const Pipeline* pipeline, const TreeState* state)
 {
 	int leaves = state->tree.leaves,
-	    spare = pipeline->listed && !pipeline->bays.worlds ? leaves / SPARE_SHARE + SPARE_LEAST : 0;
+	    spare = pipeline->listed && !OF_BATCH(pipeline) ? leaves / SPARE_SHARE + SPARE_LEAST : 0;
 	int capacity = pipeline->backend->capacity[PER_COLLIDABLE];
 	if (leaves == 0 || (leaves <= state->room && state->room <= leaves + 2 * spare && state->room <= capacity))
 		return leaves == 0 ? 0 : state->room;

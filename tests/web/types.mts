@@ -3,6 +3,7 @@
 // the engine returns null, and wrong arguments are errors.
 import {Body, BodyType, Clock, Collidable, Joint, JointType, load, Pose, Scree, World} from "scree";
 import {Color, Draw, Drawing, loadDraw, paint} from "scree/draw";
+import {Batch, ChannelKind, Channels} from "scree/batch";
 import {openReplay, record} from "scree/recording";
 
 export async function program(context: CanvasRenderingContext2D): Promise<string> {
@@ -45,6 +46,20 @@ export async function program(context: CanvasRenderingContext2D): Promise<string
 		paint(context, drawing);
 	const bytes: Uint8Array = record(world).end();
 	openReplay(scree, bytes).createWorld();
+
+	const batch = new Batch(scree, {worlds: 3, templates: [world], templateOf: [0, 0, 0]});
+	batch.bind(Channels.OUTPUTS, [{kind: ChannelKind.OUTPUT_POSE, body: crates[0]}]);
+	batch.reset(new Uint8Array(3));
+	batch.setGravity([{y: -1}, {}, {x: 2}]);
+	batch.load([1, 2], batch.save([0]));
+	const alone: World = batch.extract(1, {threads: 1}), sum: bigint = batch.getHashes()[0], rows: Float32Array = batch.rows(Channels.OUTPUTS);
+	batch.insert(2, alone);
+	// @ts-expect-error: a batch needs templates
+	new Batch(scree, {worlds: 3});
+	// @ts-expect-error: a channel needs a kind
+	batch.bind(Channels.OUTPUTS, [{body: crates[0]}]);
+	if (sum === 0n || rows.length + batch.getCounters()[0].contacts === 0)
+		batch.destroy();
 
 	// @ts-expect-error: forces are vectors
 	ground.applyForce("3");

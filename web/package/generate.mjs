@@ -5,7 +5,7 @@
 // functions, in codes that engine.js and runtime.js describe.
 import {readFileSync, writeFileSync} from "node:fs";
 import {parse, scalars} from "./header.mjs";
-import {enumeration, types} from "./types.mjs";
+import {doc, enumeration, types} from "./types.mjs";
 
 const [, , headerPath, folder] = process.argv;
 const lower = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
@@ -130,6 +130,8 @@ const enumCode = (list) => list.map((e) =>
 	`export const ${e.title} = Object.freeze({${e.list.map(([name, value]) => `${name}: ${value}`).join(", ")}});`).join("\n");
 
 const color = {title: "Color", comment: "Colors as 0xRRGGBBAA.", list: Object.entries(header.colors).map(([name, {value, note}]) => [name, value, note])};
+const channels = Object.entries(header.enums).filter(([name]) => /channel/.test(name)).map(([name, e]) => ({title: camel(short(name)), ...e,
+	list: Object.entries(e.members).map(([key, value]) => [key, value, e.notes[key]])}));
 const drawn = [...enumerations.filter(is_draw), color];
 
 const licence = "// SPDX-License-Identifier: MIT\n";
@@ -142,7 +144,16 @@ ${enumCode(enumerations.filter((e) => !is_draw(e)))}
 ${PARTS.map(part).join("\n")}`);
 writeFileSync(`${folder}/scree.d.ts`, licence + types({header, structs, described: described.filter((f) => !without_method.test(f.name)), enumerations: enumerations.filter((e) => !is_draw(e)), short}));
 writeFileSync(`${folder}/exports.json`, JSON.stringify([...functions.map((f) => `_${f.name}`), "_malloc", "_free", ...ENGINE.map((name) => `_${name}`)]));
-writeFileSync(`${folder}/layout.c`, `#include "scree/scree.h"\n${[...structs, header.structs.scree_draw_def].flatMap((s) => [
+// "scree/batch": its functions, each of which batch.js calls, and the structs of their arguments
+const batchFunctions = Object.values(header.functions).filter((f) => /^scree_(batch_|channel_make)/.test(f.name));
+const batchPart = part("batch.js"), batchStructs = ["def", "channel", "counters"].map((name) =>
+	[name, header.structs[name === "channel" ? "scree_channel" : `scree_batch_${name}`]]);
+for (const {name} of batchFunctions)
+	if (!batchPart.includes(`"${name.replace("scree_batch_", "")}"`) && !batchPart.includes(`.${name}(`))
+		throw new Error(`generate: ${name} is missing in batch.js`);
+writeFileSync(`${folder}/batch_exports.json`, JSON.stringify([...functions, ...batchFunctions].map((f) => `_${f.name}`)
+	.concat("_malloc", "_free", ENGINE.map((name) => `_${name}`))));
+writeFileSync(`${folder}/layout.c`, `#include "scree/scree.h"\n${[...structs, header.structs.scree_draw_def, ...batchStructs.map(([, struct]) => struct)].flatMap((s) => [
 	`_Static_assert(sizeof(${s.name}) == ${s.size}, "${s.name}");`,
 	...s.members.map((m) => `_Static_assert(offsetof(${s.name}, ${m.name}) == ${m.offset}, "${s.name}.${m.name}");`)]).join("\n")}\n`);
 
@@ -154,3 +165,22 @@ const MEMBERS = ${JSON.stringify(Object.fromEntries(members.map((m) => [lower(m.
 ${enumCode(drawn)}
 `);
 writeFileSync(`${folder}/draw.d.ts`, `${licence}${part("draw.d.ts")}${drawn.map(enumeration).join("")}`);
+
+// batch.js and its types
+const settings = /^(size|device|threads|lanes|allow_unequal_bits|device_timeout|timings|template_count)$/; // members that a page does not set
+const batchMembers = (struct, all) => Object.fromEntries(struct.members.filter((m) => m.name !== "size" && (all || !m.pointer))
+	.map((m) => [lower(m.name), [m.pointer && m.type !== "char" ? "u" : m.pointer ? "$" : code(m.type), m.offset]]));
+writeFileSync(`${folder}/batch.js`, `${licence}${batchPart}
+${batchStructs.map(([name, struct]) => `const ${name.toUpperCase()} = ${JSON.stringify(batchMembers(struct, name === "def"))};`).join("\n")}
+const SIZES_OF = ${JSON.stringify(Object.fromEntries(batchStructs.map(([name, struct]) => [name, struct.size])))};
+${enumCode(channels)}
+`);
+const batchTypes = {int: "number", int32_t: "number", float: "number", bool: "boolean", uint64_t: "bigint | number", scree_vec: "PartialVec",
+	scree_world: "World[]", scree_body: "Body | null", scree_collidable: "Collidable | null", scree_joint: "Joint | null"};
+const needed = new Set(["worlds", "templates", "kind"]);
+writeFileSync(`${folder}/batch.d.ts`, `${licence}${part("batch.d.ts")}${channels.map(enumeration).join("")}${batchStructs.map(([name, struct]) =>
+	`\n${doc(struct.comment)}export interface ${name === "channel" ? "Channel" : camel(`batch_${name}`)} {
+${struct.members.filter((m) => !settings.test(m.name)).map((m) => `${doc(m.comment, "\t")}\t${lower(m.name)}${name === "counters" || needed.has(m.name) ? "" : "?"}: ${
+	m.name === "template_of" ? "ArrayLike<number> | null" : batchTypes[m.type] ?? "number"};`).join("\n")}
+}
+`).join("")}`);

@@ -60,7 +60,7 @@ export function parse(text) {
 				notes[name] = note;
 			enums[match[1] || `_${Object.keys(members)[0]}`] = {members, notes, comment: block.above};
 		}
-		else if ((match = /^typedef struct (\w+)\s*\{([^]*)\}\s*\w+;/.exec(code))) {
+		else if ((match = /^typedef struct\s+(\w+)\s*\{([^]*)\}\s*\w+;/.exec(code))) {
 			structs[match[1]] = layout(match[1], block, structs, enums);
 			if (/^\s*uint32_t index, generation;\s*$/.test(match[2]))
 				handles.push(match[1]);

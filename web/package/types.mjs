@@ -4,7 +4,7 @@ import {scalars} from "./header.mjs";
 
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 const title = (name) => camel(`_${name}`);
-const doc = (text, indent = "") => text ? `${indent}/** ${text.replace(/\*\//g, "* /").split("\n").join(`\n${indent} * `)} */\n` : "";
+export const doc = (text, indent = "") => text ? `${indent}/** ${text.replace(/\*\//g, "* /").split("\n").join(`\n${indent} * `)} */\n` : "";
 const plurals = {bodies: "body", joints: "joint", collidables: "collidable", movers: "mover"};
 
 export const enumeration = (e) =>

@@ -51,7 +51,7 @@ KERNEL(contact_list_group)
 			p->free_slot[place++] = k;
 }
 
-#ifndef SCREE_SMALL // a build for WebAssembly has no batches
+#ifndef SCREE_NO_BATCHES
 // Returns the bay of a new pair.
 INLINE int contact_bay(const Pools* p, int i) { return bay_of_collidable(p, (int)(p->key[i] >> p->step.key_bits)); }
 

@@ -80,7 +80,7 @@ KERNEL(step_begin)
 	(void)i;
 }
 
-#ifndef SCREE_SMALL // a build for WebAssembly has no batches
+#ifndef SCREE_NO_BATCHES
 // Item: a live bay, before the solve. Does the same for the values of each world, unless the step is repeated or
 // abandoned.
 KERNEL(bay_begin)

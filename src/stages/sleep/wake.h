@@ -36,7 +36,7 @@ KERNEL(joint_wake)
 		island_wake_both(p, bodies);
 }
 
-#ifndef SCREE_SMALL // a build for WebAssembly has no batches
+#ifndef SCREE_NO_BATCHES
 // Item: a live bay. Decides whether the step searches the islands of the world. argument: Pipeline.steps; -1 in a step
 // that searches none.
 KERNEL(bay_sleep)
@@ -196,7 +196,7 @@ INLINE void body_set_awake(const Pools* p, int i, int awake)
 // Item: a body. argument: 1 to wake, 0 to sleep.
 KERNEL(set_awake) { body_set_awake(p, i, p->argument); }
 
-#ifndef SCREE_SMALL // a build for WebAssembly has no batches
+#ifndef SCREE_NO_BATCHES
 // Item: a body of the bay y of an entry of bay_copy. Wakes it.
 KERNEL(bay_wake)
 {
