@@ -14,7 +14,7 @@ else()
 	set(form scalar)
 endif()
 
-add_executable(scree_page web/page.c web/page_tools.c web/page_change.c web/page_inspect.c web/page_moment.c web/page_picture.c web/page_rows.c ${page_view})
+add_executable(scree_page web/page.c web/page_tools.c web/page_change.c web/page_inspect.c web/page_moment.c web/page_picture.c web/page_rows.c web/page_wall.c ${page_view})
 scree_flags(scree_page)
 scree_glsl(scree_page)
 set_target_properties(scree_page PROPERTIES OUTPUT_NAME scree-${form} SUFFIX .js)

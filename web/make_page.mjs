@@ -18,7 +18,7 @@ const { scenes: list, links } = JSON.parse(readFileSync(join(source, 'web/start.
 const readScene = (name) => JSON.parse(readFileSync(join(source, 'scenes', `${name}.json`), 'utf8'));
 
 // Returns the data of a scene that the page needs before it loads the scene file.
-function describe({ name, set = {} }) {
+function describe({ name, set = {}, wall }) {
 	const scene = readScene(name);
 	const parameters = Object.entries(scene.parameters ?? {}).map(([key, entry]) => {
 		if (typeof entry.default !== 'number')
@@ -28,7 +28,7 @@ function describe({ name, set = {} }) {
 	});
 	for (const key of Object.keys(set))
 		if (!scene.parameters?.[key]) throw new Error(`web/start.json: ${name} has no parameter ${key}`);
-	return { name, title: scene.title, parameters };
+	return { name, title: scene.title, parameters, wall };
 }
 
 // Draws the thumbnail of a scene, unless the thumbnail is newer than all of its sources.

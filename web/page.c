@@ -63,6 +63,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_version(void) { return scree_version(); }
 
 static void close_scene(void)
 {
+	wall_close(&page.wall);
+	page.renderer.tiles = (Tiles){0};
 	if (page.share.world)
 		share_close(&page.share);
 	player_close(&page.player);
@@ -91,11 +93,12 @@ static int split_settings(char* text, SceneSetting* settings)
 	return count;
 }
 
-static bool open_player(const Scene* scene, int threads, ScenePlayer* player)
+// worlds: number of copies for a wall; 0: none.
+static bool open_player(const Scene* scene, int threads, int worlds, ScenePlayer* player)
 {
 	scree_world_def def = scene->world;
 	def.device = "cpu";
-	def.threads = threads < 1 ? 1 : threads > MOST_THREADS ? MOST_THREADS : threads;
+	def.threads = worlds > 0 ? 1 : threads;
 	def.timings = true;
 	return page_check(player_open(player, scene, &def));
 }
@@ -103,13 +106,21 @@ static bool open_player(const Scene* scene, int threads, ScenePlayer* player)
 bool page_show_world(void)
 {
 	page.added = false;
-	return !page.drawn || renderer_update_world(&page.renderer, page.scene, page.player.world) ||
-	       page_fail("there is no memory to draw this scene");
+	if (!page.drawn)
+		return true;
+	if (!renderer_update_world(&page.renderer, page.scene, page.player.world))
+		return page_fail("there is no memory to draw this scene");
+	if (page.wall.batch)
+	{
+		wall_place(&page.wall, render_tables_view(&page.renderer.tables, page.scene));
+		page.renderer.tiles = (Tiles){page.wall.worlds, page.wall.row_count, page.wall.boxes};
+	}
+	return true;
 }
 
-// Loads a scene file with settings, one NAME=VALUE per line, and creates its world. On failure returns false, and the
-// previous scene stays.
-EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
+// Loads a scene file with settings, one NAME=VALUE per line, and creates its world. worlds: number of copies for a wall; 0: none.
+// On failure returns false, and the previous scene stays.
+EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads, int worlds)
 {
 	SceneSetting settings[MAX_SETTINGS];
 	int count = split_settings(lines, settings);
@@ -117,10 +128,14 @@ EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
 		return page_fail("the scene has more parameters than the page can set");
 	Scene* scene = scene_load(path, settings, count, page.sentence);
 	ScenePlayer player;
+	Wall wall = {0};
+	threads = threads < 1 ? 1 : threads > MOST_THREADS ? MOST_THREADS : threads;
 	if (!scene)
 		return false;
-	if (!open_player(scene, threads, &player))
+	if (!open_player(scene, threads, worlds, &player) ||
+	    (worlds > 0 && !page_open_wall(&wall, scene, player.world, worlds, threads)))
 	{
+		wall_close(&wall);
 		player_close(&player);
 		scene_free(scene);
 		return false;
@@ -128,14 +143,18 @@ EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
 	close_scene();
 	page.scene = scene;
 	page.player = player;
+	page.wall = wall;
 	page_begin_tools();
 	share_open(&page.share, player.world, true);
-	return page_show_world();
+	return page_show_world() && (worlds == 0 || (page_check(scree_world_get_counters(player.world, &page.counters)) &&
+	                                             page_check(wall_count(&page.wall, &page.counters))));
 }
 
 // Takes one step. Bit k of `down` is set while the key with SceneKey k is down. Returns false on failure.
 EMSCRIPTEN_KEEPALIVE bool page_step(uint32_t down)
 {
+	if (page.wall.batch)
+		return page_step_wall();
 	if (grab_pull(&page.grab) != SCREE_OK)
 		grab_release(&page.grab); // the held body no longer exists
 	if (pour_step(&page.pour, page.player.world, page.grab.at, &page.added) != SCREE_OK)
@@ -154,20 +173,22 @@ EMSCRIPTEN_KEEPALIVE const char* page_told(void)
 	return page.text;
 }
 
-EMSCRIPTEN_KEEPALIVE int page_steps(void) { return (int)page.player.steps; }
+EMSCRIPTEN_KEEPALIVE int page_steps(void) { return (int)(page.wall.batch ? page.wall.steps : page.player.steps); }
 
 // Returns the duration of the last step, ms.
 EMSCRIPTEN_KEEPALIVE double page_milliseconds(void)
 {
 	scree_timings t = {0};
 	scree_world_get_timings(page.player.world, &t);
-	return (double)t.step;
+	return page.wall.batch ? page.milliseconds : (double)t.step;
 }
 
+// Returns the hash of the world, or the sum of the hashes of the wall.
 EMSCRIPTEN_KEEPALIVE const char* page_hash(void)
 {
 	uint64_t hash = 0;
-	if (!page.player.world || !page_check(scree_world_get_hash(page.player.world, &hash)))
+	if (!page.player.world || !page_check(page.wall.batch ? wall_sum(page.wall.batch, &hash)
+	                                                      : scree_world_get_hash(page.player.world, &hash)))
 		return "";
 	snprintf(page.text, sizeof page.text, "%016" PRIx64, hash);
 	return page.text;
@@ -184,7 +205,13 @@ EMSCRIPTEN_KEEPALIVE const double* page_numbers(void)
 	if (!page.player.world || !page_check(scree_world_get_counters(page.player.world, &c)) ||
 	    !page_check(scree_world_get_timings(page.player.world, &t)))
 		return NULL;
-	const double numbers[] = {(double)page.player.steps,
+	if (page.wall.batch)
+	{
+		c = page.counters;
+		c.bodies *= page.wall.worlds;
+		t.step = (float)page.milliseconds;
+	}
+	const double numbers[] = {(double)page_steps(),
 	                          c.bodies,
 	                          c.contacts,
 	                          c.touching,

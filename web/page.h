@@ -9,12 +9,16 @@
 #include "view/pour.h"
 #include "view/renderer.h"
 #include "view/shader.h"
+#include "view/wall.h"
 #include <emscripten.h>
 
 typedef struct
 {
 	Scene* scene;
 	ScenePlayer player;
+	Wall wall;               // worlds that are stepped and drawn in place of the player's world, their template
+	scree_counters counters; // sums over the worlds of the wall
+	double milliseconds;     // duration of the last step of the wall
 	Grab grab;
 	Grab reached; // body under a pressed pointer, before a drag begins
 	Pour pour;
@@ -44,6 +48,12 @@ bool page_check(scree_status status);
 
 // Forgets the tools of the visitor: nothing is held or poured, and nothing has been thrown.
 void page_begin_tools(void);
+
+// Makes a wall of copies of the world of a scene, with random inputs. Returns false on failure.
+bool page_open_wall(Wall* wall, const Scene* scene, scree_world* world, int worlds, int threads);
+
+// Takes a step of the wall. Returns false on failure.
+bool page_step_wall(void);
 
 // Reads the world again into the renderer, after bodies were added or another world was loaded. Returns false on
 // failure.

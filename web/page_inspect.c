@@ -17,11 +17,13 @@ static const char* join_lines(const Numbers* numbers)
 	return page.text;
 }
 
+// In a wall no body is found.
 static bool choose(Inspected* inspected, float x, float y, float reach)
 {
 	scree_collidable found = SCREE_NULL_COLLIDABLE;
-	bool good = !page.player.world || page_check(inspect_find(page.player.world, camera_point(&page.camera, x, y),
-	                                                          reach / page.camera.scale, &found));
+	bool good = !page.player.world || page.wall.batch ||
+	            page_check(inspect_find(page.player.world, camera_point(&page.camera, x, y), reach / page.camera.scale,
+	                                    &found));
 	inspect_choose(inspected, page.scene, page.player.world, found);
 	return good && inspect_any(inspected);
 }

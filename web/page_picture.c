@@ -43,16 +43,16 @@ EMSCRIPTEN_KEEPALIVE bool page_fit(bool narrow)
 	page.tracks = false;
 	if (!page.scene || !page.drawn)
 		return false;
-	const scree_box box = render_tables_view(&page.renderer.tables, page.scene);
+	const scree_box box = page.wall.batch ? page.wall.box : render_tables_view(&page.renderer.tables, page.scene);
 	Camera* camera = &page.camera;
 	camera_fit(camera, box, camera->width, camera->height);
 	float wide = (box.upper.x - box.lower.x) / fmaxf(box.upper.y - box.lower.y, 1.0e-6f);
 	float closer = fminf(CLOSER, NARROW_PART * wide * (float)camera->height / (float)camera->width);
 	if (!narrow || closer < WORTH)
 		return false;
-	page.tracks = page.scene->character_count > 0;
+	page.tracks = page.scene->character_count > 0 && !page.wall.batch;
 	camera->scale *= page.tracks ? closer : 1.0f;
-	return !page.tracks;
+	return !page.tracks && !page.wall.batch;
 }
 
 EMSCRIPTEN_KEEPALIVE void page_pan(float x, float y)
@@ -73,13 +73,15 @@ EMSCRIPTEN_KEEPALIVE const double* page_point(float x, float y)
 	return page.numbers;
 }
 
+// A wall has only paints that do not depend on the last step, and no layers, most of which show only its template.
 EMSCRIPTEN_KEEPALIVE void page_style(int paint, uint32_t layers, bool slow, bool dark)
 {
+	bool wall = page.wall.batch;
 	page.style.dark = dark;
-	page.style.paint = (Paint)paint;
-	page.style.graph = paint == PAINT_SOLVER;
+	page.style.paint = wall && !wall_paints((Paint)paint) ? PAINT_KIND : (Paint)paint;
+	page.style.graph = page.style.paint == PAINT_SOLVER;
 	for (int k = 0; k < LAYERS; ++k)
-		page.style.layers[k] = layers >> k & 1;
+		page.style.layers[k] = !wall && (layers >> k & 1);
 	page.style.detail = slow ? COARSE : 1.0f;
 	page.style.rays = slow ? SLOW_RAYS : RAYS_DRAWN;
 }
@@ -159,7 +161,7 @@ EMSCRIPTEN_KEEPALIVE bool page_draw(void)
 	if (page.added && !page_show_world())
 		return false;
 	follow();
-	if (share_update(&page.share) != SCREE_OK)
+	if ((page.wall.batch ? wall_show(&page.wall, &page.share) : share_update(&page.share)) != SCREE_OK)
 		return page_fail(share_error(&page.share));
 	if (!page_check(renderer_fetch(&page.renderer, &page.camera, &page.style)))
 		return false;

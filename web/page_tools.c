@@ -32,7 +32,7 @@ static bool take(Grab* grab, float x, float y, bool (*how)(Grab*, const RenderTa
 {
 	RenderTables own;
 	Sprites sprites = {0};
-	const RenderTables* tables = open_tables(&own, &sprites);
+	const RenderTables* tables = page.wall.batch ? NULL : open_tables(&own, &sprites);
 	grab->at = (scree_vec){x, y};
 	bool good = tables && how(grab, tables);
 	sprites_free(&sprites);

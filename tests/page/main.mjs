@@ -8,6 +8,7 @@ import { checkHashes, checkSleepers, nativeHashes } from './hashes.mjs';
 import { checkLooks } from './inspect.mjs';
 import { checkPictures } from './pictures.mjs';
 import { checkRewind } from './rewind.mjs';
+import { checkSums, checkWall } from './wall.mjs';
 
 const [scree, page, scratch] = process.argv.slice(2);
 const serve = new URL('../../web/serve.mjs', import.meta.url).pathname;
@@ -59,6 +60,7 @@ try {
 	let played = null;
 	await timed('hands', async () => (played = await checkHands(browser, common, expected, check)));
 	await timed('rewinding', () => checkRewind(browser, common, scree, scratch, check));
+	await timed('wall', () => checkWall(browser, common, scree, scenes, check));
 	await browser.cdp('Emulation.setDeviceMetricsOverride', { width: 320, height: 480, deviceScaleFactor: 1, mobile: false });
 	for (const [form, address, words] of [
 		['simd', common, 'SIMD, 1 thread'],
@@ -69,6 +71,7 @@ try {
 			await openForm(browser, address, form, words);
 			await checkHashes(browser, scenes, expected, check);
 			await checkSleepers(browser, scree, scenes, check);
+			await checkSums(browser, scenes, check);
 		});
 	await timed('without a worker', async () => {
 		await browser.go(`${common}?apart=0#billiards`);

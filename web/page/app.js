@@ -21,6 +21,7 @@ import { Timeline } from './timeline.js';
 const DENSEST = 2; // maximum pixels of the picture per pixel of the page; more pixels reduce a phone's frame rate
 const SLOW_FRAMES = 20; // frames per second: below this rate, the picture is drawn with fewer details
 const FIRST = 'pile';
+const WORLDS = 64; // number of worlds of a wall
 const TOOLS = [
 	{ value: 'drag', label: 'Drag', title: 'Drag bodies or the picture', icon: 'drag' },
 	{ value: 'throw', label: 'Throw', title: 'Press, pull and release to throw a new body', icon: 'throw' },
@@ -109,13 +110,16 @@ class App {
 		this.openLink();
 	}
 
-	on_loaded({ name, settings, keys, wide }) {
+	on_loaded({ name, settings, worlds, keys, wide }) {
 		note('', { name: 'step' });
+		note('', { name: 'wall' });
 		note(wide && matchMedia('(pointer: coarse)').matches ? 'This scene is wide: turn the phone for a larger picture.' : '', { name: 'wide' });
 		const scene = this.scenes.get(name);
-		this.source = { name, settings };
-		$('title').textContent = scene.title;
-		document.title = `${scene.title} – Scree`;
+		this.source = { name, settings, worlds };
+		document.body.classList.toggle('wall', worlds > 0);
+		for (const id of ['wall', 'many']) $(id).setAttribute('aria-pressed', String(worlds > 0));
+		$('title').textContent = worlds ? `${worlds} worlds: ${scene.title}` : scene.title;
+		document.title = `${$('title').textContent} – Scree`;
 		this.numbers.clear();
 		this.keys.use(keys);
 		markScene(name);
@@ -151,6 +155,14 @@ class App {
 			{ kind: equal ? 'good' : 'bad', name: 'replayed', lasting: true },
 		);
 	}
+	on_wall({ worlds, step, hash, expected, equal }) {
+		note(
+			equal
+				? `${step} steps of ${worlds} worlds: the sum of their hashes is ${hash}, that of a native build.`
+				: `${step} steps of ${worlds} worlds: the sum of their hashes is ${hash} instead of ${expected}, that of a native build.`,
+			{ kind: equal ? 'good' : 'bad', name: 'wall', lasting: true },
+		);
+	}
 	on_error({ sentence, of }) {
 		note(sentence, { kind: 'bad', name: of ?? 'error', lasting: true });
 	}
@@ -170,7 +182,7 @@ class App {
 
 	// Loads the scene in the address, with its settings and actions.
 	async openLink() {
-		let link = { name: FIRST, settings: [], script: [], until: null };
+		let link = { name: FIRST, settings: [], script: [], until: null, worlds: 0 };
 		try {
 			if (location.hash.length > 1) link = readLink(location.hash);
 			if (!this.scenes.has(link.name)) throw new Error(`there is no scene ${link.name}; ${FIRST} is shown instead`);
@@ -183,8 +195,9 @@ class App {
 	}
 
 	// Loads a scene. Parameters without a value in `settings` get the initial values of the page. file: bytes of a saved
-	// state with which it begins; script: then the actions before it, or null. Returns false if the scene was not loaded.
-	async load({ name, settings = [], script = [], until = null, file = null, keepView = false }) {
+	// state with which it begins; script: then the actions before it, or null. worlds: number of copies for a wall; 0: none. Returns
+	// false if the scene was not loaded.
+	async load({ name, settings = [], script = [], until = null, file = null, worlds = 0, keepView = false }) {
 		const scene = this.scenes.get(name);
 		const given = new Map(settings);
 		const own = scene.parameters.map((p) => [p.name, String(given.get(p.name) ?? p.start)]);
@@ -195,7 +208,8 @@ class App {
 		try {
 			const text = await fetchScene(name);
 			const paused = file ? true : script.length > 0 ? false : undefined;
-			good = await this.host.ask({ type: 'load', name, text, settings: own, script, until, file, keepView, paused });
+			const expected = this.differing(name, own).length === 0 && worlds === WORLDS ? (scene.wall ?? null) : null;
+			good = await this.host.ask({ type: 'load', name, text, settings: own, script, until, file, worlds, expected, keepView, paused });
 		} catch (error) {
 			note(error.message, { kind: 'bad', name: 'load', lasting: true });
 		}
@@ -216,10 +230,22 @@ class App {
 	}
 
 	change(name, settings) {
+		const differing = this.differing(name, settings);
+		const { worlds } = this.source;
+		history.replaceState(null, '', writeLink({ name, settings: differing, worlds }));
+		this.load({ name, settings, worlds, keepView: false });
+	}
+
+	// Opens a wall of copies of the scene, each with its own random motor speeds, or returns to the scene.
+	async toggleWall() {
+		const { name, settings } = this.source;
+		const worlds = this.source.worlds ? 0 : WORLDS;
+		if (await this.load({ name, settings, worlds })) history.pushState(null, '', writeLink({ name, settings: this.differing(name, settings), worlds }));
+	}
+	// Returns the settings that differ from those with which the page begins a scene.
+	differing(name, settings) {
 		const scene = this.scenes.get(name);
-		const differing = settings.filter(([key, value]) => Number(value) !== scene.parameters.find((p) => p.name === key).start);
-		history.replaceState(null, '', writeLink({ name, settings: differing }));
-		this.load({ name, settings, keepView: false });
+		return settings.filter(([key, value]) => Number(value) !== scene.parameters.find((p) => p.name === key).start);
 	}
 
 	restyle() {
@@ -302,6 +328,9 @@ class App {
 		dress($('once'), 'once', 'Step');
 		dress($('restart'), 'restart', 'Restart');
 		dress($('fit'), 'fit', 'Show the whole scene');
+		dress($('wall'), 'wall', `${WORLDS} worlds at once, each with its own random motor speeds`);
+		$('wall').title = $('wall').getAttribute('aria-label');
+		$('wall').onclick = $('many').onclick = () => this.toggleWall();
 		dress($('full'), 'full', 'Full screen');
 		$('pause').onclick = () => this.pause();
 		$('once').onclick = () => this.say({ type: 'steps', count: 1 });

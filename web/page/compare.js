@@ -5,14 +5,15 @@ import { $, copyButton, element } from './dom.js';
 
 const HASH = /\b[0-9a-f]{16}\b/;
 
-// Returns the command line that repeats a scene up to a step. It sets only parameters that differ from the scene file.
-export function commandLine({ name, parameters }, settings, step) {
+// Returns the command line that repeats a scene, or a wall of its copies, up to a step. It sets only parameters that differ from the
+// scene file.
+export function commandLine({ name, parameters }, settings, step, worlds = 0) {
 	const values = new Map(settings);
 	const sets = parameters
 		.filter((p) => values.has(p.name) && Number(values.get(p.name)) !== p.default)
 		.map((p) => ` --set ${p.name}=${values.get(p.name)}`)
 		.join('');
-	return `build/scree hash ${name}${sets} --steps ${step}`;
+	return `build/scree hash ${name}${sets} --steps ${step}${worlds ? ` --worlds ${worlds}` : ''}`;
 }
 
 // Returns [good, sentence] for a pasted text. good: true if the hash in the text equals the hash of the page, false if
@@ -40,10 +41,10 @@ export class Compare {
 	// settings.
 	show(state, scene, settings, version) {
 		const kind = !state.paused ? 'running' : state.touched ? 'touched' : state.step === 0 ? 'start' : 'ready';
-		const key = kind === 'ready' ? `${scene.name} ${settings} ${state.step} ${state.hash}` : kind;
+		const key = kind === 'ready' ? `${scene.name} ${settings} ${state.worlds} ${state.step} ${state.hash}` : kind;
 		if (key === this.key) return;
 		this.key = key;
-		if (kind === 'ready') this.offer(state, commandLine(scene, settings, state.step), version);
+		if (kind === 'ready') this.offer(state, commandLine(scene, settings, state.step, state.worlds), version);
 		else this.explain(kind);
 	}
 
@@ -68,7 +69,7 @@ export class Compare {
 		this.box.replaceChildren(...parts[kind]);
 	}
 
-	offer({ step, hash }, command, version) {
+	offer({ step, hash, worlds }, command, version) {
 		const result = element('p', { id: 'verdict', role: 'status', 'aria-live': 'polite' });
 		const field = element('input', {
 			id: 'paste',
@@ -84,7 +85,7 @@ export class Compare {
 			},
 		});
 		this.box.replaceChildren(
-			element('p', {}, `World hash of this page after ${step} steps:`),
+			element('p', {}, worlds ? `Sum of the hashes of ${worlds} worlds after ${step} steps:` : `World hash of this page after ${step} steps:`),
 			element('code', { id: 'here', class: 'hash' }, hash),
 			element('p', {}, `Command in a clone of Scree ${version} after make build, on CPU or GPU:`),
 			element('div', { class: 'line' }, element('code', { id: 'command' }, ...unbroken(command)), copyButton('copy', () => command)),

@@ -42,14 +42,14 @@ export class Core {
 		const pool = this.module.PThread;
 		while (pool && pool.unusedWorkers.length < threads - 1) await new Promise((resolve) => setTimeout(resolve, 1));
 	}
-	// Loads a scene. settings: [[name, value], ...].
-	load(name, text, settings, threads) {
+	// Loads a scene. settings: [[name, value], ...]. worlds: number of copies for a wall; 0: none.
+	load(name, text, settings, threads, worlds) {
 		const m = this.module;
 		const path = `${name}.json`;
 		m.FS.writeFile(path, text);
 		const file = m.allocateUTF8(path);
 		const lines = m.allocateUTF8(settings.map(([key, value]) => `${key}=${value}`).join('\n'));
-		const good = m._page_load(file, lines, threads);
+		const good = m._page_load(file, lines, threads, worlds);
 		m._free(lines);
 		m._free(file);
 		this.check(good);

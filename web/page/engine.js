@@ -40,6 +40,7 @@ export class Engine {
 		this.target = null; // step to which the world is computed again; null: none
 		this.dragged = false; // true while the visitor drags the time line, when the clock stands still
 		this.down = 0; // keys that are down now, as bits
+		this.worlds = 0; // number of worlds of a wall; 0: there is one world
 	}
 
 	async open({ form, threads, canvas, width, height, density }) {
@@ -68,12 +69,15 @@ export class Engine {
 
 	// Loads a scene. script: recorded actions to play. until: {step, hash} at the end of the recording; null if nothing
 	// is played. file: bytes of a saved state of this scene, with which it begins; script: the actions before that state, or
-	// null if they are not known.
-	async load({ name, text, settings, script = [], until = null, file = null, keepView = false, paused = this.paused }) {
+	// null if they are not known. worlds: number of copies for a wall, which has no actions; 0: none. expected: {steps, sum} of
+	// the hashes of the wall in a native build; null: not recorded.
+	async load({ name, text, settings, script = [], until = null, file = null, worlds = 0, expected = null, keepView = false, paused = this.paused }) {
 		await this.core.threadsReady(this.threads);
 		this.pointer.cancel();
-		this.core.load(name, text, settings, this.threads);
-		this.source = { name, text, settings };
+		this.core.load(name, text, settings, this.threads, worlds);
+		this.worlds = worlds;
+		this.source = { name, text, settings, worlds, expected };
+		this.picture.style(...this.picture.styled);
 		this.inspector.begin();
 		this.player.start(script ?? [], until);
 		this.beginTime();
@@ -83,7 +87,7 @@ export class Engine {
 		this.failed = false;
 		this.paused = paused;
 		if (!keepView) this.picture.fit();
-		this.say({ type: 'loaded', name, settings, keys: this.core.module._page_keys() >>> 0, wide: this.picture.wide });
+		this.say({ type: 'loaded', name, settings, worlds, keys: worlds ? 0 : this.core.module._page_keys() >>> 0, wide: this.picture.wide });
 		this.report();
 		if (!this.running) {
 			this.running = true;
@@ -107,8 +111,7 @@ export class Engine {
 		try {
 			this.core.restore(file);
 		} catch (error) {
-			const { name, text, settings } = this.source;
-			await this.load({ name, text, settings });
+			await this.load(this.source);
 			throw error;
 		}
 		if (script === null) return this.beginTime(); // the steps before it cannot be computed
@@ -119,6 +122,7 @@ export class Engine {
 
 	// Returns {name, bytes}: the current state as a file, with the scene and the actions so far.
 	save() {
+		if (this.worlds) throw new Error('A wall of worlds cannot be saved. Leave the wall first.');
 		const { name, settings } = this.source;
 		const source = JSON.stringify({ scene: name, settings, actions: encodeActions(this.player.done) });
 		return { name: `${name}-${this.step}.snap`, bytes: this.core.moment(source) };
@@ -130,6 +134,7 @@ export class Engine {
 
 	// Adds a moment to the past. If memory is short, the scene goes on without a past.
 	keep() {
+		if (this.worlds) return;
 		const begin = performance.now();
 		try {
 			const moment = { step: this.step, actions: this.player.done.length, bytes: this.core.moment() };
@@ -169,10 +174,9 @@ export class Engine {
 	}
 
 	async restart({ replay = false }) {
-		const { name, text, settings } = this.source;
 		const script = replay ? this.player.done : [];
 		const until = replay ? { step: this.step, hash: this.core.hash() } : null;
-		await this.load({ name, text, settings, script, until, keepView: true, paused: replay ? false : this.paused });
+		await this.load({ ...this.source, script, until, keepView: true, paused: replay ? false : this.paused });
 	}
 
 	get step() {
@@ -268,8 +272,10 @@ export class Engine {
 		this.picture.lose(restore);
 	}
 
-	// Applies and records an action of the visitor. The action ends a replay, and drops the steps that followed.
+	// Applies and records an action of the visitor. The action ends a replay, and drops the steps that followed. The worlds of a
+	// wall have their own inputs, so nothing else changes them.
 	act(name, values) {
+		if (this.worlds) return false;
 		if (this.step < this.end || this.player.replaying) this.cut(name);
 		return this.player.act(this.step, name, values);
 	}
@@ -303,6 +309,11 @@ export class Engine {
 		const told = this.core.text(this.core.module._page_told());
 		if (told) this.say({ type: 'error', sentence: told, of: 'tool' });
 		if (this.player.until?.step === this.step) this.verdict();
+		const { expected } = this.source;
+		if (this.worlds && expected?.steps === this.step) {
+			const hash = this.core.hash();
+			this.say({ type: 'wall', worlds: this.worlds, step: this.step, hash, expected: expected.sum, equal: hash === expected.sum });
+		}
 	}
 
 	// Compares the hash at the end of a replay with the recorded hash, reports the result, and pauses.
@@ -362,6 +373,7 @@ export class Engine {
 		message.first = this.past.first;
 		message.end = this.end;
 		message.target = this.target;
+		message.worlds = this.worlds;
 		message.gravity = this.core.module._page_gravity();
 		if (this.paused || this.hashCost < COSTLY) {
 			message.hash = this.core.hash();

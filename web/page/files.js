@@ -52,7 +52,7 @@ export class Files {
 		const text = await this.ask({ type: 'read', bytes });
 		if (text === undefined) return;
 		try {
-			const scene = text === '' ? { ...this.source(), script: null } : readSource(text, this.scenes);
+			const scene = text === '' ? { ...this.source(), worlds: 0, script: null } : readSource(text, this.scenes);
 			if (await this.load({ ...scene, file: bytes })) this.tell(`${name} is open, and paused.`, 'good');
 		} catch (error) {
 			this.tell(`${name} cannot be opened: ${error.message}.`, 'bad');

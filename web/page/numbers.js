@@ -8,7 +8,7 @@ const milliseconds = (value) => value.toFixed(value < 10 ? 2 : 1);
 
 const ROWS = [
 	['bodies', 'bodies', (s) => whole.format(s.bodies)],
-	['asleep', 'asleep', (s) => whole.format(s.asleep), 'bodies at rest that sleep; they are dim'],
+	['asleep', 'asleep', (s) => (s.worlds ? '–' : whole.format(s.asleep)), 'bodies at rest that sleep; they are dim; not shown for walls'],
 	['contacts', 'contacts', (s) => whole.format(s.contacts), 'pairs of collidables whose enlarged boxes overlap'],
 	['touching', 'touching', (s) => whole.format(s.touching)],
 	['frames', 'fps', (s) => (s.elapsed > 0 ? whole.format((1000 * s.frames) / s.elapsed) : '–'), 'frames drawn per second'],
@@ -25,7 +25,8 @@ export class Numbers {
 		this.cells = new Map(ROWS.map(([key]) => [key, element('dd', { id: `count-${key}` })]));
 		const rows = ROWS.map(([key, label, , help]) => element('div', {}, element('dt', { title: help ?? label }, label), this.cells.get(key)));
 		this.hash = element('dd', { id: 'hash' });
-		rows.push(element('div', { class: 'wide' }, element('dt', {}, 'world hash'), this.hash));
+		this.hashName = element('dt', {}, '');
+		rows.push(element('div', { class: 'wide' }, this.hashName, this.hash));
 		$('counts').replaceChildren(...rows);
 		this.shown = 0;
 		this.seen = 0;
@@ -40,6 +41,7 @@ export class Numbers {
 		this.graph.add(state.times);
 		this.seen = Math.max(this.seen, state.penetration);
 		$('clock').textContent = `step ${whole.format(state.step)}`;
+		this.hashName.textContent = state.worlds ? 'sum of hashes' : 'world hash';
 		if (state.hash) this.hash.textContent = state.hash;
 		const now = performance.now();
 		if (!state.paused && now - this.shown < 250) return; // 250 ms: digits that change faster are not readable

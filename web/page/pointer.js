@@ -39,11 +39,12 @@ export class Pointer {
 		this.room = CLICK[finger] * this.picture.density;
 		this.clicks = selects && (tool === 'drag' || tool === 'move');
 		const at = this.core.point(x, y);
-		if (tool === 'throw') this.mode = 'throw';
-		else if (tool === 'blast') {
+		const wall = this.module._page_worlds() > 0; // a wall can only be moved
+		if (tool === 'throw' && !wall) this.mode = 'throw';
+		else if (tool === 'blast' && !wall) {
 			this.mode = 'blast';
 			this.picture.blast = { at, radius: () => this.blastRadius() };
-		} else if (tool === 'pour') {
+		} else if (tool === 'pour' && !wall) {
 			if (!this.act('pour', at)) throw new Error(this.core.text(this.module._page_error()));
 			this.mode = 'pour';
 		} else this.mode = tool === 'drag' && this.module._page_reach(...at) ? 'press' : 'pan';

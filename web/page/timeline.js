@@ -28,10 +28,11 @@ export class Timeline {
 		this.bar.style.setProperty('--share', `${100 * share}%`);
 	}
 
-	// Shows a report of the engine. first: first step that can be reached, undefined if the world is too large to go back.
-	show({ step, first, end, target, dt, paused }) {
+	// Shows a report of the engine. first: first step that can be reached, undefined if the world is too large to go back, or if there
+	// is a wall of worlds.
+	show({ step, first, end, target, dt, paused, worlds }) {
 		this.bar.disabled = first === undefined;
-		this.bar.title = first === undefined ? 'This world is too large to go back' : 'Drag to an earlier step (comma: one step back)';
+		this.bar.title = worlds ? 'A wall of worlds cannot go back' : first === undefined ? 'This world is too large to go back' : 'Drag to an earlier step (comma: one step back)';
 		const seconds = (steps) => (steps * dt).toFixed(1);
 		$('when').textContent = step < end ? `${seconds(step)} of ${seconds(end)} s` : `${seconds(end)} s`;
 		if (this.pressed) return;
