@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// block_own.c -- changes the own values of the worlds of a block: masses, surfaces, disabled bodies and joints.
+// block_own.c -- keeps the own values of the worlds of a block: masses, surfaces, disabled bodies and joints; and their chains.
 //
-// The host has the own values of each world, by row, and sends commands for the worlds in which they change. It computes what
-// needs the definitions of the template: the least inertia of a body, the index that an attribute has in the world alone, and
-// the chains. A world with other surfaces than its template has a table of attributes of its own, at a place that depends on
-// its row, so that it stays when the world moves to another bay.
+// The host has the own values of each world, by row. A world with other surfaces than its template has a table of attributes
+// of its own, at a place that depends on its row, so that it stays when the world moves to another bay.
 #include "batch/block_own.h"
-#include "batch/block_gravity.h"
 #include "batch/own_check.h"
 #include "batch/own_commands.h"
 #include "step/reserve.h"
@@ -39,7 +36,7 @@ static scree_status open_tables(Block* block, BlockOwn* own)
 	return pipeline_reserve(&block->pipeline, PER_ATTRIBUTE, own->first_table + own->attributes * block->worlds);
 }
 
-static scree_status open_own(Block* block)
+scree_status own_open(Block* block)
 {
 	size_t worlds = (size_t)block->worlds;
 	BlockOwn* own = block->own = scree_allocate(sizeof *own);
@@ -110,8 +107,7 @@ const ChainSearch* block_own_chains(const Block* block, int row)
 
 bool block_own_has_chains(const Block* block) { return block->own && block->own->list.count > 0; }
 
-// Requests a search for the chains of a world, which a world alone makes at the begin of its next step.
-static void request_search(Change* c)
+void own_request_search(Change* c)
 {
 	BlockOwn* own = c->block->own;
 	own->searches += !own->search[c->row];
@@ -159,126 +155,6 @@ scree_status block_own_search(Block* block)
 	return block_own_send(block);
 }
 
-// Sends the differences of a world that runs: masses first, then surfaces, then bodies and joints.
-static scree_status change(Change* c)
-{
-	bool chains = false, surfaces = false;
-	TRY(own_patch(c));
-	TRY(own_reserve(c));
-	const scree_world* world = c->patched->world;
-	for (int k = 0; k < c->now.bodies; ++k)
-	{
-		if (memcmp(&c->now.body[k].mass, &c->before.body[k].mass, sizeof c->now.body[k].mass) == 0)
-			continue;
-		own_add_mass(c, k);
-		chains |= world->host_bodies[k].first_joint > 0;
-	}
-	for (int k = 0; k < c->now.collidables; ++k)
-		surfaces |= memcmp(c->now.collidable + k, c->before.collidable + k, sizeof *c->now.collidable) != 0;
-	if (surfaces)
-		own_add_surfaces(c, true);
-	for (int k = 0; k < c->now.bodies; ++k)
-	{
-		if (c->now.body[k].disabled == c->before.body[k].disabled)
-			continue;
-		own_add_enabled(c, k);
-		chains |= world->host_bodies[k].first_joint > 0;
-	}
-	for (int k = 0; k < c->now.joints; ++k)
-	{
-		if (c->now.joint[k] == c->before.joint[k])
-			continue;
-		own_mark_joint(c, k);
-		chains = true;
-	}
-	if (chains)
-		request_search(c);
-	own_add_joints(c);
-	c->block->pipeline.edited = true;
-	return SCREE_OK;
-}
-
-static bool is_other(Own own, const Channel* channel, const float* values)
-{
-	switch (channel->kind)
-	{
-	case CHANNEL_SET_MASS:
-		return memcmp(&own.body[channel->item].mass, values, sizeof(scree_mass)) != 0;
-	case CHANNEL_SET_SURFACE:
-		for (int k = 0; k < 4; ++k)
-			if ((&own.collidable[channel->item].friction)[k] != values[k])
-				return true;
-		return false;
-	case CHANNEL_SET_ENABLED:
-		return (values[0] == 0.0f) != (own.body[channel->item].disabled != 0);
-	case CHANNEL_SET_JOINT_ENABLED:
-		return (values[0] == 0.0f) != ((own.joint[channel->item] & OWN_JOINT_DISABLED) != 0);
-	default:
-		return false;
-	}
-}
-
-static void put(Own own, const OwnRules* rules, const Channel* channel, const float* values)
-{
-	switch (channel->kind)
-	{
-	case CHANNEL_SET_MASS:
-		memcpy(&own.body[channel->item].mass, values, sizeof(scree_mass));
-		break;
-	case CHANNEL_SET_SURFACE:
-		own_set_surface(own, rules, channel->item, values);
-		break;
-	case CHANNEL_SET_ENABLED:
-		own.body[channel->item].disabled = values[0] == 0.0f;
-		break;
-	case CHANNEL_SET_JOINT_ENABLED:
-		own.joint[channel->item] &= ~OWN_JOINT_DISABLED;
-		own.joint[channel->item] |= values[0] == 0.0f ? OWN_JOINT_DISABLED : 0;
-		break;
-	}
-}
-
-void block_own_pull(Block* block, const ChannelSet* set, int row, const float* values)
-{
-	const Template* from = block_template(block, row);
-	const Channel* channels = set->parameter + (from - block->templates) * set->parameters;
-	scree_vec *gravity = block->gravity + block_world(block, row), before = *gravity;
-	for (int k = 0; k < set->parameters; ++k)
-		if (channels[k].kind == CHANNEL_SET_GRAVITY)
-			memcpy(gravity, values + channels[k].column, sizeof *gravity);
-	if (memcmp(gravity, &before, sizeof before) == 0)
-		return;
-	block_gravity_changes(block, row, row + 1);
-	block->pipeline.edited = true;
-}
-
-_Static_assert(sizeof(scree_mass) == 4 * sizeof(float) && sizeof(scree_vec) == 2 * sizeof(float), "columns of inputs");
-
-scree_status block_own_set(Block* block, const ChannelSet* set, int row, const float* values)
-{
-	const Template* from = block_template(block, row);
-	const Channel* channels = set->parameter + (from - block->templates) * set->parameters;
-	bool changed = false;
-	if (!block->own)
-		TRY(open_own(block));
-	Own before = own_of(from, block_own_values(block, row));
-	for (int k = 0; k < set->parameters; ++k)
-		changed |= is_other(before, channels + k, values + channels[k].column);
-	if (!changed)
-		return SCREE_OK;
-	size_t bytes = own_size(from);
-	char* now = block->own->now;
-	memcpy(now, block_own_values(block, row), bytes);
-	Change c = {.block = block, .row = row, .bay = block->bay_of[row], .from = from};
-	c.before = before;
-	c.now = own_of(from, now);
-	for (int k = 0; k < set->parameters; ++k)
-		put(c.now, &from->own_rules, channels + k, values + channels[k].column);
-	TRY(change(&c));
-	memcpy(block_own_values(block, row), now, bytes);
-	return SCREE_OK;
-}
-
 // Returns whether own values differ in disabled bodies or joints, which changes the pairs of bodies that never touch.
 static bool others_disabled(Own a, Own b)
 {
@@ -297,7 +173,7 @@ scree_status block_own_take(Block* block, int row, const char* values)
 	if (!block->own && !other)
 		return SCREE_OK;
 	if (!block->own)
-		TRY(open_own(block));
+		TRY(own_open(block));
 	BlockOwn* own = block->own;
 	char* to = block_own_values(block, row);
 	memcpy(own->now, taken, bytes); // aligned
@@ -326,7 +202,7 @@ scree_status block_own_take(Block* block, int row, const char* values)
 	}
 	if (memcmp(c.now.collidable, template.collidable, sizeof *c.now.collidable * (size_t)c.now.collidables) != 0)
 		own_add_surfaces(&c, false);
-	request_search(&c);
+	own_request_search(&c);
 	return SCREE_OK;
 }
 
