@@ -478,6 +478,9 @@ static void bad_parameters_are_refused(void** state)
 	REFUSED(scree_batch_step(pair.batch, STEP, SUBSTEPS, 1),
 	        "scree_batch_step: inputs of world 4[0] is 0.5, must be 0 or 1");
 	c = scree_channel_make(SCREE_INPUT_GRAVITY);
+	scree_channel twice[2] = {c, c};
+	REFUSED(scree_batch_bind(pair.batch, SCREE_STEP_INPUTS, twice, 2, rows[0]),
+	        "scree_batch_bind: columns 0 and 2 set the same value of a world (template 0)");
 	OK(scree_batch_bind(pair.batch, SCREE_STEP_INPUTS, &c, 1, rows[0]));
 	rows[1][0] = NAN;
 	REFUSED(scree_batch_step(pair.batch, STEP, SUBSTEPS, 1),

@@ -118,7 +118,7 @@ function declared(line, name)
 		sub(/[,)].*/, "", line)
 		return line
 	}
-	if (line ~ /^(static|[A-Z_]*INLINE|INLINE_LONG|INLINE_MEET|OUT_OF_LINE|RARE) /)
+	if (line ~ /^(static|[A-Z_]*INLINE|INLINE_LONG|INLINE_MEET|INLINE_SHORT|OUT_OF_LINE|RARE) /)
 	{
 		gsub(/__attribute__\(\([a-z_]*(\([^)]*\))?\)\) /, "", line)
 		gsub(/ [A-Z]+\([0-9, ]*\)/, "", line)
@@ -282,7 +282,7 @@ function inline(path, unit, i, line, names, depth, guard)
 				sub(/ scree_status api_##/, " static scree_status api_##", line)
 			if (line ~ /^\t+scree_status (api|metric)_##/) # goes on with such a macro
 				sub(/scree_status/, "static scree_status", line)
-			if (line ~ /^[A-Za-z][A-Za-z0-9_]*[ *].*[(,]/ && line !~ /^(static|typedef|struct|union|enum|INLINE|INLINE_LONG|INLINE_MEET|OUT_OF_LINE|RARE|_Static_assert|SCREE_API)/ && line !~ /^[A-Z_]+[( ]/ && line !~ /^void SELF_TEST/)
+			if (line ~ /^[A-Za-z][A-Za-z0-9_]*[ *].*[(,]/ && line !~ /^(static|typedef|struct|union|enum|INLINE|INLINE_LONG|INLINE_MEET|INLINE_SHORT|OUT_OF_LINE|RARE|_Static_assert|SCREE_API)/ && line !~ /^[A-Z_]+[( ]/ && line !~ /^void SELF_TEST/)
 				line = "static " line
 		}
 		if (line ~ /^const [^(]*(=|\[)/ || defines_extern(path, line))

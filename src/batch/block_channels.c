@@ -3,6 +3,7 @@
 #include "batch/block_channels.h"
 #include "batch/block_gravity.h"
 #include "batch/block_own.h"
+#include "batch/own_inputs.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
 #include "step/reserve.h"
@@ -161,7 +162,7 @@ static scree_status pull(Block* block, int list, const int* rows, int count)
 		int row = rows ? rows[k] : k;
 		before[k] = block_world_gravity(block, row);
 		if (block_runs(block, row))
-			block_own_pull(block, block->sets + list, row, metric_row(block, list, row, room));
+			own_inputs_pull(block, block->sets + list, row, metric_row(block, list, row, room));
 	}
 	scree_status status = block_wake(block, rows, before, count);
 	scree_release(before);
@@ -181,7 +182,7 @@ static scree_status set_parameters(Block* block, int list, const int* rows, int 
 	{
 		int row = rows ? rows[k] : k;
 		if (block_runs(block, row))
-			TRY(block_own_set(block, set, row, metric_row(block, list, row, room)));
+			TRY(own_inputs_set(block, set, row, metric_row(block, list, row, room)));
 	}
 	return block_own_send(block);
 }

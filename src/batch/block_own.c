@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // block_own.c -- keeps the own values of the worlds of a block: masses, surfaces, disabled bodies and joints; and their chains.
 //
-// The host has the own values of each world, by row. A world with other surfaces than its template has a table of attributes
-// of its own, at a place that depends on its row, so that it stays when the world moves to another bay.
+// The host has the own values of each world, by row. A world with other surfaces than its template has its own table of
+// attributes, at a place that depends on its row, so that it stays when the world moves to another bay.
 #include "batch/block_own.h"
 #include "batch/own_check.h"
 #include "batch/own_commands.h"
@@ -36,7 +36,7 @@ static scree_status open_tables(Block* block, BlockOwn* own)
 	return pipeline_reserve(&block->pipeline, PER_ATTRIBUTE, own->first_table + own->attributes * block->worlds);
 }
 
-scree_status own_open(Block* block)
+scree_status block_own_open(Block* block)
 {
 	size_t worlds = (size_t)block->worlds;
 	BlockOwn* own = block->own = scree_allocate(sizeof *own);
@@ -107,11 +107,10 @@ const ChainSearch* block_own_chains(const Block* block, int row)
 
 bool block_own_has_chains(const Block* block) { return block->own && block->own->list.count > 0; }
 
-void own_request_search(Change* c)
+void block_own_request(Block* block, int row)
 {
-	BlockOwn* own = c->block->own;
-	own->searches += !own->search[c->row];
-	own->search[c->row] = 1;
+	block->own->searches += !block->own->search[row];
+	block->own->search[row] = 1;
 }
 
 // Finds the chains of a world. A joint that leaves or enters a chain restarts.
@@ -173,7 +172,7 @@ scree_status block_own_take(Block* block, int row, const char* values)
 	if (!block->own && !other)
 		return SCREE_OK;
 	if (!block->own)
-		TRY(own_open(block));
+		TRY(block_own_open(block));
 	BlockOwn* own = block->own;
 	char* to = block_own_values(block, row);
 	memcpy(own->now, taken, bytes); // aligned
@@ -202,7 +201,7 @@ scree_status block_own_take(Block* block, int row, const char* values)
 	}
 	if (memcmp(c.now.collidable, template.collidable, sizeof *c.now.collidable * (size_t)c.now.collidables) != 0)
 		own_add_surfaces(&c, false);
-	own_request_search(&c);
+	block_own_request(block, row);
 	return SCREE_OK;
 }
 

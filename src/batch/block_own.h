@@ -4,13 +4,9 @@
 #define BLOCK_OWN_H
 #include "batch/block_state.h"
 
+// Makes memory for the own values of all worlds of a block, which are at first those of their templates.
+scree_status block_own_open(Block* block);
 void block_own_close(Block* block);
-
-// Sets the gravity of a world to that of a row of inputs, in metres. block_wake must follow.
-void block_own_pull(Block* block, const ChannelSet* set, int row, const float* values);
-
-// Applies the other parameters of such a row to a world that runs. block_own_send must follow.
-scree_status block_own_set(Block* block, const ChannelSet* set, int row, const float* values);
 
 // Sets the own values of a world to those of a row that was loaded into it, or to those of its template (null). The pools have
 // them already, but for the indices of attributes. block_own_send must follow.
@@ -18,6 +14,9 @@ scree_status block_own_take(Block* block, int row, const char* values);
 
 // Sends the changes to the device.
 scree_status block_own_send(Block* block);
+
+// Requests a search for the chains of a world, which a world alone makes at the beginning of its next step.
+void block_own_request(Block* block, int row);
 
 // Searches for the chains of worlds that run, before a step, if their masses, bodies or joints have changed.
 scree_status block_own_search(Block* block);

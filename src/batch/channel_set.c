@@ -114,6 +114,19 @@ static scree_status find_objects(ChannelSet* set, const char* function, const Pa
 	return SCREE_OK;
 }
 
+// Fails if two parameters set the same value of a template: calls for a world alone would make both changes.
+static scree_status check_repeats(const ChannelSet* set, const char* function, int number)
+{
+	const Channel* found = set->parameter + number * set->parameters;
+	for (int k = 0; k < set->parameters; ++k)
+		for (int other = 0; other < k; ++other)
+			if (found[k].kind != CHANNEL_KINDS && found[k].kind == found[other].kind &&
+			    found[k].item == found[other].item)
+				return fail(SCREE_ERROR_INVALID, "%s: columns %d and %d set the same value of a world (template %d)",
+				            function, found[other].column, found[k].column, number);
+	return SCREE_OK;
+}
+
 // Finds the objects of the parameters. Fails if no template has the object of one.
 static scree_status find_parameters(ChannelSet* set, const char* function, const scree_channel* channels, int count,
                                     const Template* templates, int template_count)
@@ -136,6 +149,8 @@ static scree_status find_parameters(ChannelSet* set, const char* function, const
 			return fail(SCREE_ERROR_STALE, "%s: channels[%d] has an object that no template has", function, k);
 		++n;
 	}
+	for (int t = 0; t < template_count; ++t)
+		TRY(check_repeats(set, function, t));
 	return SCREE_OK;
 }
 

@@ -57,12 +57,6 @@ static inline int own_origin(const Block* block, int row)
 	                                             : block_template(block, row)->first_attribute;
 }
 
-// Makes memory for the own values of all worlds of a block, which are at first those of their templates.
-scree_status own_open(Block* block);
-
-// Requests a search for the chains of a world, which a world alone makes at the beginning of its next step.
-void own_request_search(Change* c);
-
 // Gives the host data of a template the own values of the world that changes.
 scree_status own_patch(Change* c);
 

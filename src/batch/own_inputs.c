@@ -3,6 +3,7 @@
 //
 // The host sends commands for the worlds whose values change. It computes what needs the definitions of the template: the least
 // inertia of a body, the index that an attribute has in the world alone, and the chains.
+#include "batch/own_inputs.h"
 #include "batch/block_gravity.h"
 #include "batch/block_own.h"
 #include "batch/own_commands.h"
@@ -41,7 +42,7 @@ static scree_status change(Change* c)
 		chains = true;
 	}
 	if (chains)
-		own_request_search(c);
+		block_own_request(c->block, c->row);
 	own_add_joints(c);
 	c->block->pipeline.edited = true;
 	return SCREE_OK;
@@ -87,7 +88,7 @@ static void put(Own own, const OwnRules* rules, const Channel* channel, const fl
 	}
 }
 
-void block_own_pull(Block* block, const ChannelSet* set, int row, const float* values)
+void own_inputs_pull(Block* block, const ChannelSet* set, int row, const float* values)
 {
 	const Template* from = block_template(block, row);
 	const Channel* channels = set->parameter + (from - block->templates) * set->parameters;
@@ -103,13 +104,13 @@ void block_own_pull(Block* block, const ChannelSet* set, int row, const float* v
 
 _Static_assert(sizeof(scree_mass) == 4 * sizeof(float) && sizeof(scree_vec) == 2 * sizeof(float), "columns of inputs");
 
-scree_status block_own_set(Block* block, const ChannelSet* set, int row, const float* values)
+scree_status own_inputs_set(Block* block, const ChannelSet* set, int row, const float* values)
 {
 	const Template* from = block_template(block, row);
 	const Channel* channels = set->parameter + (from - block->templates) * set->parameters;
 	bool changed = false;
 	if (!block->own)
-		TRY(own_open(block));
+		TRY(block_own_open(block));
 	Own before = own_of(from, block_own_values(block, row));
 	for (int k = 0; k < set->parameters; ++k)
 		changed |= is_other(before, channels + k, values + channels[k].column);
