@@ -37,7 +37,8 @@ void own_host_set(scree_world* made, const Template* from, Own own)
 	Own template = own_of(from, from->own);
 	int joints = world->joints.used < own.joints ? world->joints.used : own.joints;
 	memcpy(made->host_bodies, world->host_bodies, sizeof *made->host_bodies * (size_t)own.bodies);
-	memcpy(made->host_joints, world->host_joints, sizeof *made->host_joints * (size_t)world->joints.used);
+	if (world->joints.used > 0) // else there is no array
+		memcpy(made->host_joints, world->host_joints, sizeof *made->host_joints * (size_t)world->joints.used);
 	for (int k = 0; k < own.bodies; ++k)
 	{
 		HostBody* host = made->host_bodies + k;
