@@ -154,13 +154,15 @@ static const float* metric_row(const Block* block, int list, int row, float* roo
 static scree_status pull(Block* block, int list, const int* rows, int count)
 {
 	float room[MOST_COLUMNS];
-	scree_vec* before = scree_allocate(sizeof *before * (size_t)(count + 1));
-	if (!before)
+	bool sleeps = block->pipeline.sleeps;
+	scree_vec* before = sleeps ? scree_allocate(sizeof *before * (size_t)(count + 1)) : NULL;
+	if (sleeps && !before)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for the gravity of %d worlds", count);
 	for (int k = 0; k < count; ++k)
 	{
 		int row = rows ? rows[k] : k;
-		before[k] = block_world_gravity(block, row);
+		if (sleeps)
+			before[k] = block_world_gravity(block, row);
 		if (block_runs(block, row))
 			own_inputs_pull(block, block->sets + list, row, metric_row(block, list, row, room));
 	}

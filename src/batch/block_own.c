@@ -194,11 +194,8 @@ scree_status block_own_take(Block* block, int row, const char* values)
 	TRY(own_patch(&c));
 	TRY(own_reserve(&c));
 	for (int k = 0; k < c.now.bodies; ++k)
-	{
-		ContinuousBody unused;
 		if (memcmp(&c.now.body[k].mass, &template.body[k].mass, sizeof(scree_mass)) != 0)
-			own_note_mass(&c, k, &unused);
-	}
+			own_note_mass(&c, k);
 	if (memcmp(c.now.collidable, template.collidable, sizeof *c.now.collidable * (size_t)c.now.collidables) != 0)
 		own_add_surfaces(&c, false);
 	block_own_request(block, row);

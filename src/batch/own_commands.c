@@ -11,6 +11,7 @@
 #include "world/objects/joints.h"
 #include "world/objects/mass.h"
 #include "world/pool_values.h"
+#include "world/upload/upload_commands.h"
 #include <string.h>
 
 #define SENT_MOST 65536 // number of commands that are collected before they are sent
@@ -65,14 +66,18 @@ static int collidable_item(const Change* c, int k)
 	return bay_item(bays->worlds, c->bay, k, bays->collidables);
 }
 
-void own_note_mass(Change* c, int k, ContinuousBody* row)
+// Returns 1 + the item of a collidable in the pools, from 1 + its index; 0 stands for none.
+static int link_item(const Change* c, int link) { return link > 0 ? collidable_item(c, link - 1) + 1 : 0; }
+
+Command own_note_mass(Change* c, int k)
 {
 	Pipeline *p = &c->block->pipeline, *own = &c->patched->world->pipeline;
 	const HostBody* host = c->patched->world->host_bodies + k;
-	*row = continuous_row(c->patched->world, k);
+	Command continuous = continuous_command(c->patched->world, k);
 	p->heavy |= edits_heavy(mass_inverse(host), mass_inverse_inertia(host));
 	p->continuous_way = own->continuous_way < p->continuous_way ? own->continuous_way : p->continuous_way;
 	p->continuous_reach = own->continuous_reach > p->continuous_reach ? own->continuous_reach : p->continuous_reach;
+	return continuous;
 }
 
 void own_add_mass(Change* c, int k)
@@ -85,13 +90,11 @@ void own_add_mass(Change* c, int k)
 	                .value = make_float4(mass_inverse(host), mass_inverse_inertia(host), center.x, center.y)};
 	flush_row(&mass.value.z, 2); // inverse masses may be tiny
 	add(c, mass);
-	ContinuousBody row;
-	own_note_mass(c, k, &row);
-	int first = row.first > 0 ? collidable_item(c, row.first - 1) + 1 : 0;
-	add(c, (Command){.kind = COMMAND_CONTINUOUS,
-	                 .index = body_item(c, k),
-	                 .whole = {first, row.parts},
-	                 .value = make_float4(flush_tiny(row.way), flush_tiny(row.reach), 0.0f, 0.0f)});
+	Command continuous = own_note_mass(c, k);
+	flush_row(&continuous.value.x, 4);
+	continuous.index = mass.index;
+	continuous.whole[0] = link_item(c, continuous.whole[0]);
+	add(c, continuous);
 }
 
 // Adds a command that wakes a body, if it can sleep: COMMAND_AWAKE or COMMAND_JOINTS.
@@ -153,29 +156,23 @@ void own_add_surfaces(Change* c, bool changes)
 	c->block->pipeline.surfaces_changed |= changes;
 }
 
-static void add_collidable(Change* c, int k, int body)
+static void add_collidable(Change* c, int k)
 {
-	const scree_world* world = c->patched->world;
-	const HostCollidable* host = world->host_collidables + k;
-	bool dead = world->host_bodies[body].disabled;
-	int attribute = own_origin(c->block, c->row) + c->now.collidable[k].attribute;
-	if (!dead)
+	Command commands[COLLIDABLE_COMMANDS];
+	int count = collidable_commands(c->patched->world, k, commands);
+	for (int n = 0; n < count; ++n)
 	{
-		add(c, (Command){.kind = COMMAND_COLLIDABLE,
-		                 .index = collidable_item(c, k),
-		                 .whole = {attribute, body_item(c, body)},
-		                 .value = pose_row(host->pose)});
-		int next = host->next >= 0 ? collidable_item(c, host->next) + 1 : 0;
-		add(c, (Command){.kind = COMMAND_NEXT, .index = collidable_item(c, k), .whole = {next}});
+		Command command = commands[n];
+		command.index = collidable_item(c, k);
+		if (command.kind == COMMAND_COLLIDABLE)
+		{
+			command.whole[0] = own_origin(c->block, c->row) + c->now.collidable[k].attribute;
+			command.whole[1] = body_item(c, command.whole[1]);
+		}
+		if (command.kind == COMMAND_NEXT)
+			command.whole[0] = link_item(c, command.whole[0]);
+		add(c, command);
 	}
-	Filter filter = filter_row(host->filter, report_bits(host));
-	Command command = {.kind = COMMAND_FILTER,
-	                   .index = collidable_item(c, k),
-	                   .whole = {filter.group, device_kind(world, k) | (int)(filter.reports << 8)}};
-	Word words[4] = {(Word)filter.category, (Word)(filter.category >> 32), (Word)filter.mask,
-	                 (Word)(filter.mask >> 32)};
-	memcpy(&command.value, words, sizeof words);
-	add(c, command);
 }
 
 void own_add_enabled(Change* c, int k)
@@ -184,7 +181,7 @@ void own_add_enabled(Change* c, int k)
 	const HostBody* host = world->host_bodies + k;
 	static const BodyValues none;
 	for (int n = host->first_collidable; n >= 0; n = world->host_collidables[n].next)
-		add_collidable(c, n, k);
+		add_collidable(c, n);
 	for (int end = host->first_joint; end > 0; end = joint_next(world, end))
 	{
 		c->patched->joints[joint_of_end(end)] |= RESTARTS;

@@ -63,12 +63,11 @@ scree_status own_patch(Change* c);
 // Makes room for the commands of one more world. Sends those of other worlds if they are many.
 scree_status own_reserve(Change* c);
 
-// Notes the flags and bounds of a step that the mass of a body needs, and sets *row to its continuous_body.
-void own_note_mass(Change* c, int k, ContinuousBody* row);
+// Notes the flags and bounds of a step that the mass of a body needs. Returns its continuous_command in the world alone.
+Command own_note_mass(Change* c, int k);
 
-// Add the commands for the mass of body k; for the table of attributes of the world, with `changes` if surfaces of contacts must
-// be computed again; for body k, which was enabled or disabled,
-// and its collidables, with a mark for its joints.
+// Add the commands for the mass of body k; for the table of attributes of the world, with `changes` if surfaces of contacts
+// must be computed again; for body k, which was enabled or disabled, and its collidables, with a mark for its joints.
 void own_add_mass(Change* c, int k);
 void own_add_surfaces(Change* c, bool changes);
 void own_add_enabled(Change* c, int k);

@@ -32,11 +32,11 @@ static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 	return count;
 }
 
-static int collidable_commands(const scree_world* world, int k, Command* to)
+int collidable_commands(const scree_world* world, int index, Command* to)
 {
-	int index = world->edits.collidables[k].index, count = 0;
+	int count = 0;
 	const HostCollidable* host = world->host_collidables + index;
-	if (!edit_is_dead(world, k))
+	if (collidable_kind(world, index) != KIND_DEAD)
 	{
 		to[count++] = (Command){.kind = COMMAND_COLLIDABLE,
 		                        .index = index,
@@ -109,7 +109,7 @@ static void collect_commands(scree_world* world, Groups* g)
 		end = collidable_run(world, k);
 		for (int i = k; i < end && end - k < LONG_RUN; ++i)
 			add_row(g, &world->host_collidables[p->collidables[i].index].waiting,
-			        collidable_commands(world, i, g->grouped + g->count));
+			        collidable_commands(world, p->collidables[i].index, g->grouped + g->count));
 	}
 	for (int k = 0; k < p->command_count; ++k)
 	{

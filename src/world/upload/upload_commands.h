@@ -11,6 +11,10 @@
 #define BODY_COMMANDS       6 // maximum number of commands per row of a body
 #define COLLIDABLE_COMMANDS 3 // maximum number of commands per row of a collidable
 
+// Writes the commands of a collidable that was created, destroyed, enabled or disabled, at most COLLIDABLE_COMMANDS. Returns
+// their number.
+int collidable_commands(const scree_world* world, int index, Command* to);
+
 // Sends all commands to the device and applies them there. most: upper bound of the number of commands. memory: space
 // for 2 * `most` commands and `most` + 1 ints.
 scree_status upload_commands(scree_world* world, int most, char* memory);
