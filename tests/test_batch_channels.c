@@ -328,7 +328,7 @@ static void check_place(const Rig* rig, const Place* place)
 	for (int w = 0; w < WORLDS; ++w)
 	{
 		worlds[w] = *rig;
-		worlds[w].world = copy_of(rig->world);
+		worlds[w].world = clone_of(rig->world);
 		before[w][0] = output[w * seen + 9];
 		before[w][1] = output[w * seen + 9 + 3 + 1 + RAYS + 6];
 	}
@@ -344,7 +344,7 @@ static void check_place(const Rig* rig, const Place* place)
 			if (!mask[w])
 				continue;
 			scree_world_destroy(worlds[w].world);
-			worlds[w].world = copy_of(rig->world);
+			worlds[w].world = clone_of(rig->world);
 			float unused[3];
 			touches_alone(worlds[w].world, rig->boxes[0], NOBODY, before[w], unused);
 			touches_alone(worlds[w].world, rig->boxes[1], rig->boxes[0], before[w] + 1, unused);
@@ -415,7 +415,7 @@ static void templates_may_lack_objects(void** state)
 {
 	(void)state;
 	Rig rig = open_rig(1.0f);
-	scree_world* worlds[2] = {rig.world, copy_of(rig.world)};
+	scree_world* worlds[2] = {rig.world, clone_of(rig.world)};
 	OK(scree_body_destroy(worlds[1], rig.boxes[1]));
 	OK(scree_world_step(worlds[0], STEP, SUBSTEPS));
 	OK(scree_world_step(worlds[1], STEP, SUBSTEPS));

@@ -240,7 +240,7 @@ static void gravity_may_differ(void** state)
 	OK(scree_batch_set_gravity(batch, pulls));
 	for (int k = 0; k < 3; ++k)
 	{
-		alone[k] = copy_of(world);
+		alone[k] = clone_of(world);
 		OK(scree_world_set_gravity(alone[k], pulls[k]));
 	}
 	for (int step = 0; step < 50; ++step)

@@ -246,7 +246,7 @@ static Pair open_pair(const Rig* rig, const Place* place)
 	OK(scree_batch_create(&def, &pair.batch));
 	for (int w = 0; w < WORLDS; ++w)
 	{
-		pair.alone[w] = copy_of(rig->world);
+		pair.alone[w] = clone_of(rig->world);
 		OK(scree_world_get_gravity(rig->world, pair.gravity + w));
 	}
 	return pair;
@@ -262,7 +262,7 @@ static void close_pair(Pair* pair)
 static void replace(Pair* pair, int w, scree_world* from)
 {
 	scree_world* before = pair->alone[w]; // may be `from`
-	pair->alone[w] = copy_of(from);
+	pair->alone[w] = clone_of(from);
 	scree_world_destroy(before);
 	OK(scree_world_set_gravity(pair->alone[w], pair->gravity[w]));
 }
@@ -294,7 +294,7 @@ static void move_world(Pair* from, Pair* to, const Rig* rig, int step)
 {
 	int taken = random_below(WORLDS), put = random_below(WORLDS);
 	float values[COLUMNS];
-	scree_world *made, *alone = copy_of(from->alone[taken]);
+	scree_world *made, *alone = clone_of(from->alone[taken]);
 	OK(scree_batch_extract(from->batch, taken, NULL, &made));
 	assert_true(hash_of(made) == hash_of(alone));
 	first_values(values);

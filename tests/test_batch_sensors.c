@@ -160,7 +160,7 @@ static void check_events(scree_world* world, scree_world* taken)
 // Takes a world out, which lists the visits of the world alone, and begins and ends the same ones in the next steps.
 static void check_taken(scree_batch* batch, int number, scree_world* alone, const Rig* rig, float dt)
 {
-	scree_world *taken, *world = copy_of(alone);
+	scree_world *taken, *world = clone_of(alone);
 	scree_visit visits[2][80];
 	OK(scree_batch_extract(batch, number, NULL, &taken));
 	for (int k = 0; k < rig->count; ++k)
@@ -192,7 +192,7 @@ static void check_place(const Rig* rigs, const Place* place, int steps)
 	char* state = NULL;
 	scree_world* saved = NULL;
 	for (int w = 0; w < WORLDS; ++w)
-		worlds[w] = copy_of(rigs[w % KINDS].world);
+		worlds[w] = clone_of(rigs[w % KINDS].world);
 	for (int step = 0; step < steps; ++step)
 	{
 		int more = 1 + random_below(3), w = random_below(WORLDS), from = random_below(WORLDS);
@@ -202,7 +202,7 @@ static void check_place(const Rig* rigs, const Place* place, int steps)
 		if (mask[w])
 		{
 			scree_world_destroy(worlds[w]);
-			worlds[w] = copy_of(rigs[w % KINDS].world);
+			worlds[w] = clone_of(rigs[w % KINDS].world);
 			paused[w] = 0;
 		}
 		OK(scree_batch_reset(batch, mask));
@@ -219,12 +219,12 @@ static void check_place(const Rig* rigs, const Place* place, int steps)
 			state = malloc(bytes);
 			OK(scree_batch_save(batch, &first, 1, state, bytes));
 			scree_world_destroy(saved);
-			saved = copy_of(worlds[from]);
+			saved = clone_of(worlds[from]);
 			if (from % KINDS == second % KINDS)
 			{
 				OK(scree_batch_load(batch, &second, 1, state, 0));
 				scree_world_destroy(worlds[second]);
-				worlds[second] = copy_of(saved);
+				worlds[second] = clone_of(saved);
 			}
 		}
 		OK(scree_batch_get_hashes(batch, hashes));
@@ -298,7 +298,7 @@ static void placed_bodies_keep_visits(void** state)
 	OK(scree_batch_get_hashes(batch, hashes));
 	for (int w = 0; w < 3; ++w)
 	{
-		scree_world* alone = copy_of(rig.world);
+		scree_world* alone = clone_of(rig.world);
 		scree_pose to = {{rows[w][0], rows[w][1]}, {1.0f, 0.0f}};
 		OK(scree_body_set_pose(alone, rig.ball, to));
 		assert_true(hashes[w] == hash_of(alone));
@@ -347,7 +347,7 @@ static void crowded_worlds_keep_visits(void** state)
 	many.templates = &world;
 	many.template_count = 1;
 	many.contact_limit = limit;
-	alone = copy_of(world);
+	alone = clone_of(world);
 	OK(scree_batch_create(&many, &batch));
 	OK(scree_batch_step(batch, STEP, SUBSTEPS, 400));
 	OK(scree_batch_get_counters(batch, counters));

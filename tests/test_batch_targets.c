@@ -94,7 +94,7 @@ static void targets_stay_without_motion(void** state)
 // A target or a velocity among the inputs replaces the target of the template; a pose does not. list: where the input is.
 static void check_input(scree_channel_kind kind, scree_channels list)
 {
-	scree_world *world = open_lifts(3, 3), *alone = copy_of(world);
+	scree_world *world = open_lifts(3, 3), *alone = clone_of(world);
 	scree_batch* batch = open_copies(world, 3);
 	scree_channel input = scree_channel_make(kind);
 	input.body = lifts[0];
@@ -116,7 +116,7 @@ static void check_input(scree_channel_kind kind, scree_channels list)
 		{
 			OK(scree_batch_reset(batch, NULL));
 			scree_world_destroy(alone);
-			alone = copy_of(world);
+			alone = clone_of(world);
 		}
 		if (acts && kind == SCREE_INPUT_VELOCITY)
 			OK(scree_body_set_velocity(alone, lifts[0], velocity));

@@ -92,7 +92,7 @@ static void rows_belong_to_worlds(const char* device)
 	      *poses = scree_batch_get_rows(batch, SCREE_OUTPUTS);
 	for (int k = 0; k < WORLDS; ++k)
 	{
-		alone[k] = copy_of(t.worlds[template_of[k]]);
+		alone[k] = clone_of(t.worlds[template_of[k]]);
 		gravity[k] = (scree_vec){0.1f * (float)k, -10.0f + (float)(k % 3)};
 		starts[3 * k] = 0.2f * (float)k;
 		starts[3 * k + 1] = 1.0f;

@@ -8,6 +8,7 @@
 #include "batch/block_own.h"
 #include "batch/block_places.h"
 #include "batch/block_targets.h"
+#include "batch/own_host.h"
 #include "batch/row_check.h"
 #include "batch/world_row.h"
 #include "pools/bays.h"
@@ -211,8 +212,7 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 	{
 		const Template* from = s->templates[n];
 		memcpy(s->rows[n] + row_own(s->heads[n].count),
-		       block_own_values(block, block_row(block, s->work->worlds[copies[n]])),
-		       own_bytes(from->bodies, from->collidables, from->joints));
+		       block_own_values(block, block_row(block, s->work->worlds[copies[n]])), own_size(from));
 		row_tidy_dead(s->rows[n], s->heads[n].count);
 		row_seal(s->rows[n], s->heads + n);
 	}

@@ -4,6 +4,7 @@
 // A world gets the structure of its template from a clone, then the items of the row; its constraints are laid out as
 // in a step, so that no later bit differs.
 #include "batch/row_world.h"
+#include "batch/own_host.h"
 #include "step/relayout.h"
 #include "step/reserve.h"
 #include "step/tree_maintenance.h"
@@ -42,7 +43,7 @@ scree_status row_of_world(const Template* read, uint64_t targets, uint64_t targe
 			row_tidy((PoolId)pool, items, read->image.pair, head.count[kind]);
 	}
 	memcpy(*row + at[POOL_bay_visit], read->visits.bits, sizeof(Word) * (size_t)visits_of(&read->visits));
-	memcpy(*row + row_own(head.count), read->own, own_bytes(read->bodies, read->collidables, read->joints));
+	memcpy(*row + row_own(head.count), read->own, own_size(read));
 	row_tidy_dead(*row, head.count);
 	row_seal(*row, &head);
 	return SCREE_OK;
@@ -210,20 +211,18 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 static scree_status take_own(scree_world* world, const char* function, const Template* from, const RowHead* head,
                              const char* row)
 {
-	int bodies = from->bodies, collidables = from->collidables, joints = from->joints;
-	size_t bytes = own_bytes(bodies, collidables, joints);
+	size_t bytes = own_size(from);
 	if (memcmp(row + row_own(head->count), from->own, bytes) == 0)
 		return SCREE_OK;
 	char* values = scree_allocate(bytes);
 	if (!values)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for the masses and surfaces of a world", function);
 	memcpy(values, row + row_own(head->count), bytes);
-	scree_status status = own_apply(world, function, own_view(from->own, bodies, collidables, joints),
-	                                own_view(values, bodies, collidables, joints));
+	scree_status status = own_apply(world, function, own_of(from, from->own), own_of(from, values));
 	if (status == SCREE_OK)
 		status = world_upload_to_step(world);
 	if (status == SCREE_OK)
-		own_chains_before(world, own_view(values, bodies, collidables, joints));
+		own_chains_before(world, own_of(from, values));
 	scree_release(values);
 	return status;
 }

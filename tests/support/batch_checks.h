@@ -15,7 +15,7 @@ static inline uint32_t random_word(void)
 static inline int random_below(int end) { return (int)(random_word() % (uint32_t)end); }
 
 // Returns a copy of a world on one thread of the CPU.
-static inline scree_world* copy_of(scree_world* world)
+static inline scree_world* clone_of(scree_world* world)
 {
 	scree_world_def def = scree_world_def_default();
 	scree_world* copy;

@@ -195,7 +195,7 @@ static inline void copy_some(Twins* t)
 	OK(scree_batch_load(t->batch, &to, 1, row, bytes));
 	free(row);
 	scree_world_destroy(t->alone[to]);
-	t->alone[to] = copy_of(t->alone[from]);
+	t->alone[to] = clone_of(t->alone[from]);
 	OK(scree_world_set_gravity(t->alone[to], t->gravity[to]));
 }
 
