@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // bench_batch.c -- scree bench --worlds: measures many copies of a scene in a batch, and compares them with one world alone.
 //
-// The first and the last world of a batch are never reset, so both must end with the hash of the same world alone, which is
-// stepped on the CPU. The sum of all hashes must be the same in all runs.
+// The first and the last world are never reset and have no random inputs, so both must end with the hash of the same world alone,
+// which is stepped on the CPU. The sum of all hashes must be the same in all runs.
 #include "bench_batch.h"
+#include "batch_drive.h"
 #include "batch_scene.h"
 #include "cli/common/csv.h"
 #include "cli/common/known_hashes.h"
@@ -11,27 +12,25 @@
 #include "tools/common/clock.h"
 #include "tools/common/median.h"
 #include <inttypes.h>
-#include <scree/scree_math.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define WARM_UP    2                 // steps of a run that are not measured, as in measurement.c
-#define SEED       1                 // seed of the resets; another one gives other sums of hashes
-#define MASK_BYTES ((size_t)1 << 26) // size of the masks that are made before their steps
+#define WARM_UP 2 // steps of a run that are not measured, as in measurement.c
 
 typedef struct
 {
 	const Options* options;
 	const Scene* scene;
-	int worlds, steps;
+	BatchDrive drive;
+	int steps;
 	scree_world* alone; // template of the batch, then the world that is stepped alone
 	scree_batch* batch;
-	uint8_t*
-	    masks; // masks of `ready` steps, which choose the worlds that are reset before the step; null without resets
-	int ready;
 	uint64_t* hashes;
+	scree_batch_counters* counters;
 	double* times; // s: measured steps of all runs
 	int count;
+	double create;                // s: least time of the creation
 	double least, most;           // s: median step of the fastest and of the slowest run
 	uint64_t sum, other;          // sum of the hashes in the first run; last sum that differs from it, or the same sum
 	uint64_t first, last, single; // hashes of the first world, of the last one, and of the world alone
@@ -40,28 +39,15 @@ typedef struct
 
 static bool allocate(Run* run)
 {
-	size_t most = MASK_BYTES / (size_t)run->worlds + 1;
-	run->ready = most < (size_t)run->steps ? (int)most : run->steps;
-	run->hashes = malloc((size_t)run->worlds * sizeof *run->hashes);
+	size_t worlds = (size_t)run->drive.worlds;
+	run->hashes = malloc(worlds * sizeof *run->hashes);
+	run->counters = malloc(worlds * sizeof *run->counters);
 	run->times = malloc((size_t)run->steps * (size_t)run->options->repeats * sizeof *run->times);
-	if (run->options->resets > 0.0f)
-		run->masks = malloc((size_t)run->worlds * (size_t)run->ready);
-	if (run->hashes && run->times && (run->masks || run->options->resets == 0.0f))
+	if (run->hashes && run->counters && run->times)
 		return true;
-	fprintf(stderr, "%s bench: out of memory for %d worlds and %d steps\n", program_name, run->worlds, run->steps);
+	fprintf(stderr, "%s bench: out of memory for %d worlds and %d steps\n", program_name, run->drive.worlds,
+	        run->steps);
 	return false;
-}
-
-// Makes the masks of the steps from `step` on, then waits for the device, so that the next step is measured alone.
-static scree_status make_masks(Run* run, int step)
-{
-	uint64_t limit = (uint64_t)((double)run->options->resets / 100.0 * 4294967296.0);
-	for (int ahead = 0; ahead < run->ready; ++ahead)
-		for (int k = 0; k < run->worlds; ++k)
-			run->masks[(size_t)ahead * (size_t)run->worlds + (size_t)k] =
-			    k > 0 && k < run->worlds - 1 &&
-			    scree_random_make(SEED, (uint64_t)k, (uint32_t)(step + ahead), 0).words[0] < limit;
-	return scree_batch_get_hashes(run->batch, run->hashes);
 }
 
 static scree_status take_steps(Run* run)
@@ -70,17 +56,17 @@ static scree_status take_steps(Run* run)
 	scree_status status = SCREE_OK;
 	for (int step = 0; step < run->steps && status == SCREE_OK; ++step)
 	{
-		int ahead = step % run->ready;
-		if (run->masks && ahead == 0)
-			status = make_masks(run, step);
+		if (step % run->drive.ready == 0) // the device finishes, so that the next step is measured alone
+			status = scree_batch_get_hashes(run->batch, run->hashes);
+		batch_drive_prepare(&run->drive, step);
 		double begin = seconds_now();
-		if (run->masks && status == SCREE_OK)
-			status = scree_batch_reset(run->batch, run->masks + (size_t)ahead * (size_t)run->worlds);
 		if (status == SCREE_OK)
-			status = scree_batch_step(run->batch, scene->dt, scene->substeps, 1);
+			status = batch_drive_step(&run->drive, step, scene->dt, scene->substeps);
 		if (step >= WARM_UP || run->steps <= WARM_UP)
 			run->times[run->count++] = seconds_now() - begin;
 	}
+	if (status == SCREE_OK)
+		status = scree_batch_get_counters(run->batch, run->counters);
 	return status == SCREE_OK ? scree_batch_get_hashes(run->batch, run->hashes) : status;
 }
 
@@ -96,7 +82,7 @@ static scree_status step_alone(Run* run)
 static void end_run(Run* run, int repeat, int begin)
 {
 	uint64_t sum = 0;
-	for (int k = 0; k < run->worlds; ++k)
+	for (int k = 0; k < run->drive.worlds; ++k)
 		sum += run->hashes[k];
 	double middle = median_of(run->times + begin, run->count - begin);
 	run->least = repeat == 0 || middle < run->least ? middle : run->least;
@@ -105,35 +91,55 @@ static void end_run(Run* run, int repeat, int begin)
 	{
 		run->sum = run->other = sum;
 		run->first = run->hashes[0];
-		run->last = run->hashes[run->worlds - 1];
+		run->last = run->hashes[run->drive.worlds - 1];
 	}
 	run->other = sum == run->sum ? run->other : sum;
 }
 
-static scree_status measure_once(Run* run, int repeat)
+static int measure_once(Run* run, int repeat)
 {
 	scree_batch_def def = batch_definition(run->options, &run->alone);
-	int begin = run->count;
-	scree_status status = scree_batch_create(&def, &run->batch);
-	if (status == SCREE_OK)
-		status = take_steps(run);
-	if (status == SCREE_OK)
-		end_run(run, repeat, begin);
+	char sentence[SCENE_SENTENCE];
+	def.worlds = run->drive.worlds;
+	double begin = seconds_now();
+	int measured = run->count, code = report(scree_batch_create(&def, &run->batch));
+	double create = seconds_now() - begin;
+	run->create = repeat == 0 || create < run->create ? create : run->create;
+	if (code == EXIT_GOOD && !batch_drive_bind(&run->drive, run->batch, run->alone, run->steps, sentence))
+	{
+		fprintf(stderr, "%s bench: %s\n", program_name, sentence);
+		code = EXIT_FAILED;
+	}
+	if (code == EXIT_GOOD)
+		code = report(take_steps(run));
+	if (code == EXIT_GOOD)
+		end_run(run, repeat, measured);
+	return code;
+}
+
+// Ends a run; the columns and the number of its worlds stay.
+static void close_run(Run* run)
+{
+	int columns = run->drive.columns;
+	batch_drive_close(&run->drive);
+	run->drive.columns = columns;
 	scree_batch_destroy(run->batch);
 	run->batch = NULL;
-	return status;
 }
 
 static bool check(const Run* run, const Known* known, const char* settings)
 {
 	const char* name = run->scene->name;
+	const BatchDrive* drive = &run->drive;
+	int last = drive->first + drive->worlds - 1;
 	bool valid = true;
-	if (run->first != run->single || run->last != run->single)
+	if ((batch_drive_keeps(drive, drive->first) && run->first != run->single) ||
+	    (batch_drive_keeps(drive, last) && run->last != run->single))
 	{
 		fprintf(stderr,
-		        "%s bench: %s is invalid: the hash is %016" PRIx64 " alone, %016" PRIx64 " in world 0 and %016" PRIx64
+		        "%s bench: %s is invalid: the hash is %016" PRIx64 " alone, %016" PRIx64 " in world %d and %016" PRIx64
 		        " in world %d\n",
-		        program_name, name, run->single, run->first, run->last, run->worlds - 1);
+		        program_name, name, run->single, run->first, drive->first, run->last, last);
 		valid = false;
 	}
 	if (run->other != run->sum)
@@ -147,19 +153,40 @@ static bool check(const Run* run, const Known* known, const char* settings)
 	return known_agrees(known, run->options->known, name, settings, run->steps, run->single) && valid;
 }
 
+// Prints the sums of the contacts of all worlds, and the largest of their overlaps and gaps of joints, m.
+static void print_counters(const Run* run)
+{
+	int64_t contacts = 0, touching = 0;
+	double penetration = 0.0, joint_gap = 0.0;
+	for (int k = 0; k < run->drive.worlds; ++k)
+	{
+		const scree_batch_counters* of = run->counters + k;
+		contacts += of->contacts;
+		touching += of->touching;
+		penetration = fmax(penetration, of->penetration);
+		joint_gap = fmax(joint_gap, of->joint_gap);
+	}
+	printf(",%" PRId64 ",%" PRId64 ",%.4f,%.4f", contacts, touching, penetration, joint_gap);
+}
+
 static void print_row(Run* run, const char* settings, bool valid)
 {
+	const Options* options = run->options;
+	bool cpu = strcmp(options->device, "cpu") == 0;
 	char device[160];
-	bool cpu = strcmp(run->options->device, "cpu") == 0;
 	double total = 0.0;
 	for (int k = 0; k < run->count; ++k)
 		total += run->times[k];
-	snprintf(device, sizeof device, "%s", cpu ? "cpu" : run->options->device);
+	snprintf(device, sizeof device, "%s", options->device);
 	csv_cell(device);
-	printf("%s,%s,%s,%d,%d,%d,%g,%d,%d", run->scene->name, settings, device, cpu ? run->threads : 0,
-	       cpu ? run->lanes : 0, run->worlds, (double)run->options->resets, run->scene->body_count, run->steps);
-	printf(",%.4f,%.4f,%.4f,%.0f", 1e3 * median_of(run->times, run->count), 1e3 * run->least, 1e3 * run->most,
-	       (double)run->worlds * run->count / total);
+	printf("%s,%s,%s", run->scene->name, settings, device);
+	printf(",%d,%d,%d,%d/%d,%g,%d,%d", cpu ? run->threads : 0, cpu ? run->lanes : 0, options->worlds,
+	       options->parts > 0 ? options->part : 1, options->parts > 0 ? options->parts : 1, (double)options->resets,
+	       options->inputs, run->drive.columns);
+	printf(",%d,%d,%.2f,%.4f,%.4f,%.4f,%.0f", run->scene->body_count, run->steps, 1e3 * run->create,
+	       1e3 * median_of(run->times, run->count), 1e3 * run->least, 1e3 * run->most,
+	       (double)run->drive.worlds * run->count / total);
+	print_counters(run);
 	printf(",%016" PRIx64 ",%016" PRIx64 ",%016" PRIx64 ",%016" PRIx64 ",%d\n", run->sum, run->first, run->last,
 	       run->single, valid);
 	fflush(stdout);
@@ -179,7 +206,8 @@ static int open_template(const Options* options, const Scene* scene, ScenePlayer
 static int measure(const Options* given, const Scene* scene, const Known* known, bool* invalid)
 {
 	Options changed = batch_options(given), *options = &changed;
-	Run run = {.options = options, .scene = scene, .worlds = options->worlds, .steps = options_steps(options, scene)};
+	Run run = {
+	    .options = options, .scene = scene, .drive = batch_drive_make(options), .steps = options_steps(options, scene)};
 	ScenePlayer player = {0};
 	char settings[256];
 	settings_text(options, settings, sizeof settings);
@@ -192,7 +220,10 @@ static int measure(const Options* given, const Scene* scene, const Known* known,
 		code = open_template(options, scene, &player);
 	run.alone = player.world;
 	for (int repeat = 0; repeat < options->repeats && code == EXIT_GOOD; ++repeat)
-		code = report(measure_once(&run, repeat));
+	{
+		code = measure_once(&run, repeat);
+		close_run(&run);
+	}
 	if (code == EXIT_GOOD)
 		code = report(step_alone(&run));
 	if (code == EXIT_GOOD)
@@ -204,8 +235,8 @@ static int measure(const Options* given, const Scene* scene, const Known* known,
 		*invalid = *invalid || !valid;
 	}
 	player_close(&player);
-	free(run.masks);
 	free(run.hashes);
+	free(run.counters);
 	free(run.times);
 	return code;
 }
@@ -223,9 +254,10 @@ int measure_batches(const Options* options, const SceneList* list)
 	for (int k = 0; k < list->count && code == EXIT_GOOD; ++k)
 		code = batch_takes(options, list->scenes[k]) ? EXIT_GOOD : EXIT_BAD;
 	if (code == EXIT_GOOD)
-		printf("scene,settings,device,threads,lanes,worlds,resets,bodies,steps,ms_step,ms_least,ms_most,world_steps_s,"
-		       "hash_sum,"
-		       "hash_first,hash_last,hash,valid\n");
+		printf(
+		    "scene,settings,device,threads,lanes,worlds,part,resets,inputs,columns,bodies,steps,ms_create,ms_step,"
+		    "ms_least,ms_most,world_steps_s,contacts,touching,penetration,joint_gap,hash_sum,hash_first,hash_last,hash,"
+		    "valid\n");
 	for (int k = 0; k < list->count && code == EXIT_GOOD; ++k)
 		code = measure(options, list->scenes[k], &known, &invalid);
 	known_close(&known);

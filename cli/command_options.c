@@ -58,6 +58,15 @@ static bool read_resets(Options* options, const Option* option, char* text)
 	return refuse_value(options, option, text, "be a number above 0, at most 100");
 }
 
+static bool read_part(Options* options, const Option* option, char* text)
+{
+	char extra;
+	if (sscanf(text, "%5d/%5d%c", &options->part, &options->parts, &extra) == 2 && options->part > 0 &&
+	    options->part <= options->parts)
+		return true;
+	return refuse_value(options, option, text, "be K/N, part K of N, from 1/N to N/N");
+}
+
 static bool read_scale(Options* options, const Option* option, char* text)
 {
 	char extra;
@@ -130,6 +139,15 @@ static const Option resets = {"resets", 'y', "PERCENT",
 static const Option template_steps = {"template-steps", 'f', "N",
                                       "with --worlds: steps of the scene before it is copied; default 0",
                                       NUMBER(Options, template_steps, 1000000)};
+static const Option inputs = {"inputs", 'g', NULL,
+                              "with --worlds: before each step, random speeds of motors or, without motors, forces",
+                              SWITCH(Options, inputs)};
+static const Option columns = {"columns", 'C', "N",
+                               "with --worlds: after each step, at most N numbers of each world: poses and velocities",
+                               NUMBER(Options, columns, 4096)};
+static const Option part = {"part", 'P', "K/N",
+                            "with --worlds: measure part K of N of the worlds; N processes measure them all",
+                            OTHER(read_part)};
 static const Option whole = {"whole", 'w', NULL,
                              "measure whole runs, including the time to open the device: docs/manual/auto.md",
                              SWITCH(Options, whole)};
@@ -174,6 +192,9 @@ static const OptionRow rows[] = {
     {&show, RUN},
     {&resets, BENCH},
     {&template_steps, BENCH},
+    {&inputs, BENCH},
+    {&columns, BENCH},
+    {&part, BENCH},
     {&option_known, BENCH},
     {&names, SCENES | VALIDATE},
     {&test, DEVICES},
@@ -224,7 +245,7 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 	if (options->command == VALIDATE && options->names &&
 	    options_no_effect(table, options, given, "dtluq", "--names runs nothing"))
 		return false;
-	if (options->worlds == 0 && options_no_effect(table, options, given, "yfK", "there is no --worlds"))
+	if (options->worlds == 0 && options_no_effect(table, options, given, "yfKgCP", "there is no --worlds"))
 		return false;
 	if (options->worlds > 0 && options_no_effect(table, options, given, "wI", "--worlds steps a batch"))
 		return false;
@@ -238,6 +259,12 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 	{
 		fprintf(stderr, "%s %s: --show %d: must be from 0 to %d, because --worlds is %d\n", program_name, options->name,
 		        options->show, options->worlds - 1, options->worlds);
+		return false;
+	}
+	if (options->worlds > 0 && options->parts > options->worlds)
+	{
+		fprintf(stderr, "%s %s: --part %d/%d: there are %d worlds\n", program_name, options->name, options->part,
+		        options->parts, options->worlds);
 		return false;
 	}
 	if (options->whole && options_no_effect(table, options, given, "k", "--whole compares no hashes"))

@@ -96,6 +96,16 @@ bool wall_inputs_bind(WallInputs* inputs, scree_batch* batch, scree_world* world
 	return memory && status == SCREE_OK;
 }
 
+void wall_inputs_row(const WallInputs* inputs, uint64_t world, uint32_t draw, float* row)
+{
+	for (int k = 0; k < inputs->count; ++k)
+	{
+		scree_random drawn = scree_random_make(SEED, world, draw, (uint32_t)k);
+		float by = scree_random_between(drawn.words[0], -inputs->ranges[k], inputs->ranges[k]);
+		row[k] = world > 0 ? inputs->middles[k] + by : inputs->middles[k];
+	}
+}
+
 void wall_inputs_draw(WallInputs* inputs, scree_batch* batch, int64_t steps, float dt)
 {
 	int every = (int)fmaxf(HOLD / dt, 1.0f), worlds = scree_batch_get_worlds(batch);
@@ -103,12 +113,7 @@ void wall_inputs_draw(WallInputs* inputs, scree_batch* batch, int64_t steps, flo
 	if (steps % every != 0 || !row)
 		return;
 	for (int world = 0; world < worlds; ++world, row += inputs->count)
-		for (int k = 0; k < inputs->count; ++k)
-		{
-			scree_random drawn = scree_random_make(SEED, (uint64_t)world, (uint32_t)(steps / every), (uint32_t)k);
-			float by = scree_random_between(drawn.words[0], -inputs->ranges[k], inputs->ranges[k]);
-			row[k] = world > 0 ? inputs->middles[k] + by : inputs->middles[k];
-		}
+		wall_inputs_row(inputs, (uint64_t)world, (uint32_t)(steps / every), row);
 }
 
 void wall_inputs_close(WallInputs* inputs)

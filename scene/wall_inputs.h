@@ -19,8 +19,10 @@ bool wall_inputs_bind(WallInputs* inputs, scree_batch* batch, scree_world* world
                       char* sentence);
 void wall_inputs_close(WallInputs* inputs);
 
-// Draws new inputs for all worlds but the first if half a second has passed. The first world keeps the middles. steps:
-// number of steps since the start, each of dt, s.
+// Writes the inputs of a world, count numbers: the middles for world 0, others by random numbers of the world and of `draw`.
+void wall_inputs_row(const WallInputs* inputs, uint64_t world, uint32_t draw, float* row);
+
+// Draws new inputs for all worlds if half a second has passed. steps: number of steps since the start, each of dt, s.
 void wall_inputs_draw(WallInputs* inputs, scree_batch* batch, int64_t steps, float dt);
 
 // Computes the sum of the hashes of all worlds, modulo 2^64.

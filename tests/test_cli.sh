@@ -279,14 +279,16 @@ refuse 2 'no scene is called "nothing"' hash nothing --steps 1
 refuse 2 'no scene is called "nothing"' bench pyramid nothing
 
 # batches: the first and the last world have the hash of the world alone, the sum is the same for all threads, lanes and runs
-heading=scene,settings,device,threads,lanes,worlds,resets,bodies,steps,ms_step,ms_least,ms_most,world_steps_s
-heading+=,hash_sum,hash_first,hash_last,hash,valid
+heading=scene,settings,device,threads,lanes,worlds,part,resets,inputs,columns,bodies,steps,ms_create,ms_step,ms_least,ms_most
+heading+=,world_steps_s,contacts,touching,penetration,joint_gap,hash_sum,hash_first,hash_last,hash,valid
 expect 0 "$heading" bench pyramid --steps 5 --set rows=6 --worlds 30 --threads 1
-cut -d, -f 1-9,15-18 out | grep -qxE "pyramid,rows=6,cpu,1,[0-9]+,30,0,22,5,$hash,$hash,$hash,1" || fail "bench --worlds: an unexpected row"
-awk -F, 'NR == 2 { exit !($11 <= $10 && $10 <= $12 && $13 > 0) }' out || fail "bench --worlds: times that cannot be"
+cut -d, -f 1-12,23-26 out | grep -qxE "pyramid,rows=6,cpu,1,[0-9]+,30,1/1,0,0,0,22,5,$hash,$hash,$hash,1" ||
+	fail "bench --worlds: an unexpected row"
+awk -F, 'NR == 2 { exit !($13 > 0 && $15 <= $14 && $14 <= $16 && $17 > 0 && $18 == 30 * 51 && $19 == 30 * 51 && $20 > 0) }' out ||
+	fail "bench --worlds: columns that cannot be"
 dolls=(ragdolls --steps 20 --set columns=1 --set rows=1 --worlds 40 --resets 10 --template-steps 30)
 expect 0 'columns=1 rows=1 --template-steps=30,cpu,2,' bench "${dolls[@]}" --threads 2
-sum=$(sed 1d out | cut -d, -f 14-18)
+sum=$(sed 1d out | cut -d, -f 22-26)
 expect 0 "$sum" bench "${dolls[@]}" --threads 1 --lanes 1 --repeats 1
 cp out batch.csv
 expect 0 "$sum" bench "${dolls[@]}" --repeats 1 --known batch.csv
@@ -294,6 +296,24 @@ expect 0 ',1' bench "${dolls[@]}" --resets 0.5 --repeats 1
 grep -qF "${sum%%,*}" out && fail "bench --resets: the sum does not depend on the percentage"
 sed 's/,[0-9a-f]*,1$/,0123456789abcdef,1/' batch.csv >other.csv
 expect 1 'ragdolls is invalid: its hash is' bench "${dolls[@]}" --repeats 1 --known other.csv
+# inputs move all worlds but the first and the last; parts of the worlds have the hashes that they have together
+moved=(walker --steps 20 --worlds 40 --resets 10 --inputs --columns 20 --threads 1 --repeats 1)
+expect 0 ',40,1/1,10,1,18,' bench "${moved[@]}"
+sum=$(sed 1d out | cut -d, -f 22)
+parts=0
+for part in 1/3 2/3 3/3; do
+	expect 0 ",$part,10,1,18," bench "${moved[@]}" --part $part
+	parts=$((parts + 0x$(sed 1d out | cut -d, -f 22)))
+done
+[ "$(printf %016x $parts)" = "$sum" ] || fail "bench --part: the parts have another sum of hashes"
+expect 0 "$sum" bench "${moved[@]}" --columns 1 --threads 2 --lanes 1
+grep -q ',1/1,10,1,0,' out || fail "bench --columns 1: a pose has four columns"
+expect 0 ',1' bench "${dolls[@]}" --inputs --repeats 1
+refuse 2 '--part 4/3: must be K/N' bench pyramid --worlds 4 --part 4/3
+refuse 2 '--part 0/3: must be K/N' bench pyramid --worlds 4 --part 0/3
+refuse 2 '--part 1/5: there are 4 worlds' bench pyramid --worlds 4 --part 1/5
+refuse 2 '--columns 0: must be a whole number from 1' bench pyramid --worlds 4 --columns 0
+refuse 2 '--inputs has no effect: there is no --worlds' bench pyramid --inputs
 refuse 2 '--worlds 0: must be a whole number from 1' bench pyramid --worlds 0
 refuse 2 '--resets 0: must be a number above 0' bench pyramid --worlds 4 --resets 0
 refuse 2 '--resets has no effect: there is no --worlds' bench pyramid --resets 5

@@ -46,6 +46,9 @@ typedef struct
 	int show;                // number of the world that is taken out of a batch
 	int template_steps;      // steps of the template of a batch before it is copied
 	float resets;            // percentage of the worlds of a batch that are reset before each step
+	bool inputs;             // random inputs of the worlds of a batch before each step
+	int columns;             // largest number of columns of the outputs of a batch
+	int part, parts;         // this part of the worlds of a batch, 1 to parts; 0: all worlds
 	const char* known;       // path of a CSV with expected hashes; null: none
 	bool names, test, whole, quick;
 	bool help; // true: the command prints its help; the options after --help were not read
