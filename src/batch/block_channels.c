@@ -18,12 +18,10 @@ static float* memory_of(const Block* block, int which, int row)
 	return set->memory + (size_t)block_world(block, row) * (size_t)set->columns;
 }
 
-static scree_status run_groups(Block* block, int kernel, int which, int bits, int rows, int begin, int end)
+// Returns a run over groups of channels, from `begin` on, of `rows` worlds. bits: CHANNEL_*.
+static Run groups_run(int kernel, int which, int bits, int rows, int begin, int end)
 {
-	int first = begin * rows, items = end * rows;
-	if (end <= begin || rows == 0)
-		return SCREE_OK;
-	return bays_run(&block->pipeline, kernel, first, items, RUN_PAIR(which | bits, rows));
+	return (Run){kernel, begin * rows, end * rows, NO_COUNT, RUN_PAIR(which | bits, rows)};
 }
 
 // Computes the places of all lists. Returns the numbers of channels, of groups and of columns.
@@ -123,8 +121,8 @@ scree_status block_bind(Block* block, const ChannelSet* sets, int templates)
 	QueryPlan plan = {.shape = {.count = 1}}; // settings of rays: those of a query by default
 	TRY(b->f->write(b, POOL_query_plan, 0, 1, &plan));
 	const ChannelSet* outputs = sets + CHANNELS_OUTPUTS;
-	return run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_BEGINS, p->live_bays, 0,
-	                  outputs->joint_group);
+	Run run = groups_run(KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_BEGINS, p->live_bays, 0, outputs->joint_group);
+	return bays_run_all(p, &run, 1);
 }
 
 // Applies inputs to `rows` worlds: those of list `which`.
@@ -133,10 +131,9 @@ static scree_status apply(Block* block, int which, int bits, int rows)
 	const ChannelSet* set = block->sets + which;
 	Pipeline* p = &block->pipeline;
 	p->edited = true;
-	TRY(run_groups(block, KERNEL_channel_input, which, bits, rows, 0, set->groups));
-	if (!p->sleeps || set->groups == set->joint_group)
-		return SCREE_OK;
-	return bays_run(p, KERNEL_channel_stir, 0, rows, RUN_PAIR(which | bits, rows));
+	const Run runs[] = {groups_run(KERNEL_channel_input, which, bits, rows, 0, set->groups),
+	                    {KERNEL_channel_stir, 0, rows, NO_COUNT, RUN_PAIR(which | bits, rows)}};
+	return bays_run_all(p, runs, p->sleeps && set->groups > set->joint_group ? 2 : 1);
 }
 
 // Returns the row of inputs of a world in metres. room: for MOST_COLUMNS values.
@@ -229,8 +226,9 @@ static scree_status begin_touches(Block* block, int copies)
 	const ChannelSet* outputs = block->sets + CHANNELS_OUTPUTS;
 	if (!outputs->touches)
 		return SCREE_OK;
-	return run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_COPIES | CHANNEL_BEGINS, copies, 0,
-	                  outputs->joint_group);
+	Run run = groups_run(KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_COPIES | CHANNEL_BEGINS, copies, 0,
+	                     outputs->joint_group);
+	return bays_run_all(&block->pipeline, &run, 1);
 }
 
 scree_status block_apply_reset(Block* block, int resets)
@@ -271,14 +269,14 @@ scree_status block_write_outputs(Block* block)
 	const ChannelSet* set = block->sets ? block->sets + CHANNELS_OUTPUTS : NULL;
 	if (!set || set->count == 0)
 		return SCREE_OK;
-	int rows = block->worlds, live = block->pipeline.live_bays;
-	TRY(run_groups(block, KERNEL_channel_body, CHANNELS_OUTPUTS, 0, live, 0, set->joint_group));
+	int rows = block->worlds, live = block->pipeline.live_bays, joints = set->joint_group, rays = set->ray_group;
+	Run runs[] = {groups_run(KERNEL_channel_body, CHANNELS_OUTPUTS, 0, live, 0, joints),
+	              groups_run(KERNEL_channel_joint, CHANNELS_OUTPUTS, 0, live, joints, rays),
+	              groups_run(KERNEL_channel_ray, CHANNELS_OUTPUTS, 0, live, rays, set->groups)};
 	if (block->angles)
-		TRY(bays_run(&block->pipeline, KERNEL_channel_angles, set->joint_group * padded(live),
-		             set->ray_group * padded(live), RUN_PAIR(CHANNELS_OUTPUTS, live)));
-	else
-		TRY(run_groups(block, KERNEL_channel_joint, CHANNELS_OUTPUTS, 0, live, set->joint_group, set->ray_group));
-	TRY(run_groups(block, KERNEL_channel_ray, CHANNELS_OUTPUTS, 0, live, set->ray_group, set->groups));
+		runs[1] = (Run){KERNEL_channel_angles, joints * padded(live), rays * padded(live), NO_COUNT,
+		                RUN_PAIR(CHANNELS_OUTPUTS, live)};
+	TRY(bays_run_all(&block->pipeline, runs, sizeof runs / sizeof *runs));
 	bool converted = converts(block, set);
 	float* to = converted ? block->converted : memory_of(block, CHANNELS_OUTPUTS, 0);
 	TRY(b->f->read(b, POOL_column, block->lists[CHANNELS_OUTPUTS].column, rows * set->columns, to));

@@ -28,6 +28,12 @@ static Step step_between(const Pipeline* pipeline)
 	return step;
 }
 
+scree_status bays_run_all(Pipeline* pipeline, const Run* runs, int count)
+{
+	Step step = step_between(pipeline);
+	return pipeline->backend->f->run(pipeline->backend, &step, runs, count);
+}
+
 static scree_status run_one(Pipeline* pipeline, const Step* step, int kernel, int begin, int end, int argument)
 {
 	Backend* b = pipeline->backend;
@@ -172,13 +178,14 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	pipeline->placed = most;
 	TRY(b->f->write(b, POOL_bay_copy, 0, count, copies));
 	TRY(b->f->write(b, POOL_bay_row, 0, count, rows));
-	TRY(bays_run(pipeline, KERNEL_bay_copy_body, 0, count * bays->bodies, (int)pipeline->steps));
-	TRY(bays_run(pipeline, KERNEL_bay_copy_collidable, 0, count * bays->collidables, 0));
-	TRY(bays_run(pipeline, KERNEL_bay_copy_contact, 0, count << bays->contact_bits, 0));
-	if (pipeline->bay_joints)
-		TRY(bays_run(pipeline, KERNEL_bay_copy_joint, 0, count << bays->joint_bits, 0));
-	if (bays->sensors > 0)
-		TRY(bays_run(pipeline, KERNEL_bay_copy_visit, 0, count * visit_size(bays->sensors, bays->collidables), 0));
+	const Run runs[] = {
+	    {KERNEL_bay_copy_body, 0, count * bays->bodies, NO_COUNT, (int)pipeline->steps},
+	    {KERNEL_bay_copy_collidable, 0, count * bays->collidables, NO_COUNT, 0},
+	    {KERNEL_bay_copy_contact, 0, count << bays->contact_bits, NO_COUNT, 0},
+	    {KERNEL_bay_copy_joint, 0, pipeline->bay_joints ? count << bays->joint_bits : 0, NO_COUNT, 0},
+	    {KERNEL_bay_copy_visit, 0, count * visit_size(bays->sensors, bays->collidables), NO_COUNT, 0},
+	};
+	TRY(bays_run_all(pipeline, runs, sizeof runs / sizeof *runs));
 	if (live == 0) // no step visits the copies
 		return SCREE_OK;
 	pipeline->split = false;

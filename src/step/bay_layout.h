@@ -38,6 +38,9 @@ scree_status bays_fit(Pipeline* pipeline, int contacts);
 // Executes a kernel over items `begin` to `end` - 1 between steps.
 scree_status bays_run(Pipeline* pipeline, int kernel, int begin, int end, int argument);
 
+// Executes runs one after the other between steps.
+scree_status bays_run_all(Pipeline* pipeline, const Run* runs, int count);
+
 // Computes the hash of each world, by row, without the data that only the host has.
 scree_status bays_hash(Pipeline* pipeline, uint64_t* hashes);
 

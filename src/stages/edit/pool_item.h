@@ -40,11 +40,23 @@ INLINE void item_clear(const Pools* p, Per per, int i)
 #undef X
 }
 
+// Moves an item. All values are loaded before the first one is stored, so that a GPU waits once for all of them. The structs
+// are zero for the same reason as in item_clear.
 INLINE void item_move(const Pools* p, Per per, int to, int from)
 {
 #define X(type, name, of, role)              \
+	struct                                   \
+	{                                        \
+		int first;                           \
+		type value;                          \
+	} name = {0};                            \
 	if (per == PER_##of && role <= STANDING) \
-		p->name[to] = p->name[from];
+		name.value = p->name[from];
+#include "pools/pools.def"
+#undef X
+#define X(type, name, of, role)              \
+	if (per == PER_##of && role <= STANDING) \
+		p->name[to] = name.value;
 #include "pools/pools.def"
 #undef X
 }
