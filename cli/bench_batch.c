@@ -192,6 +192,15 @@ static void print_row(Run* run, const char* settings, bool valid)
 	fflush(stdout);
 }
 
+// Creates a batch of one world, which keeps the device open, so that the creation of a batch is measured without it.
+static int open_device(const Run* run, scree_batch** batch)
+{
+	scree_world* world = run->alone;
+	scree_batch_def def = batch_definition(run->options, &world);
+	def.worlds = 1;
+	return report(scree_batch_create(&def, batch));
+}
+
 // Opens the world that is copied, on the CPU, and takes its steps before the copy.
 static int open_template(const Options* options, const Scene* scene, ScenePlayer* player)
 {
@@ -209,6 +218,7 @@ static int measure(const Options* given, const Scene* scene, const Known* known,
 	Run run = {
 	    .options = options, .scene = scene, .drive = batch_drive_make(options), .steps = options_steps(options, scene)};
 	ScenePlayer player = {0};
+	scree_batch* open = NULL;
 	char settings[256];
 	settings_text(options, settings, sizeof settings);
 	size_t length = strlen(settings);
@@ -219,6 +229,8 @@ static int measure(const Options* given, const Scene* scene, const Known* known,
 	if (code == EXIT_GOOD)
 		code = open_template(options, scene, &player);
 	run.alone = player.world;
+	if (code == EXIT_GOOD)
+		code = open_device(&run, &open);
 	for (int repeat = 0; repeat < options->repeats && code == EXIT_GOOD; ++repeat)
 	{
 		code = measure_once(&run, repeat);
@@ -234,6 +246,7 @@ static int measure(const Options* given, const Scene* scene, const Known* known,
 		print_row(&run, settings, valid);
 		*invalid = *invalid || !valid;
 	}
+	scree_batch_destroy(open);
 	player_close(&player);
 	free(run.hashes);
 	free(run.counters);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// test_cuda.c -- checks that rays in memory of CUDA get the same results as rays in memory of the host. The test is
+// test_cuda.c -- checks that rays and rows of batches in memory of CUDA get the same results as in memory of the host. The tests are
 // skipped without CUDA.
 #include "support/make_bodies.h"
+#include "tools/common/clock.h"
 #include "tools/common/random_numbers.h"
 #include <dlfcn.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,45 +61,66 @@ static const char* load(void)
 #define CUDA(call) assert_int_equal(call, 0)
 #define RAYS       100000
 
-static void rays_of_cuda(void** state)
+typedef struct
 {
-	(void)state;
+	unsigned long long at; // address on the device
+	size_t bytes;
+	int file; // file descriptor
+} CudaMemory;
+
+static CudaMemory allocate(size_t bytes)
+{
+	void* context;
+	Allocation wish = {.type = 1, .handles = 1, .location = {1, 0}};
+	Access access = {{1, 0}, 3};
+	size_t unit;
+	unsigned long long allocation;
+	CudaMemory memory = {.file = -1};
+	CUDA(cuDevicePrimaryCtxRetain(&context, 0));
+	CUDA(cuCtxSetCurrent(context));
+	CUDA(cuMemGetAllocationGranularity(&unit, &wish, 0));
+	memory.bytes = (bytes + unit - 1) / unit * unit;
+	CUDA(cuMemCreate(&allocation, memory.bytes, &wish, 0));
+	CUDA(cuMemExportToShareableHandle(&memory.file, allocation, 1, 0));
+	CUDA(cuMemAddressReserve(&memory.at, memory.bytes, 0, 0, 0));
+	CUDA(cuMemMap(memory.at, memory.bytes, 0, allocation, 0));
+	CUDA(cuMemSetAccess(memory.at, memory.bytes, &access, 1));
+	return memory;
+}
+
+// Returns a world on a device that shares memory with CUDA, or null after a message that gives the reason.
+static scree_world* open_sharing(void)
+{
 	const char* missing = load();
 	if (missing)
 	{
 		print_message("skipped: %s\n", missing);
-		skip();
+		return NULL;
 	}
 	scree_world_def def = scree_world_def_default();
 	def.device = "opencl:NVIDIA";
 	scree_world* world = create_world(&def);
-	if (scree_world_get_sharing(world) != SCREE_SHARING_MEMORY)
-	{
-		print_message("skipped: the driver shares no memory\n");
-		scree_world_destroy(world);
+	if (scree_world_get_sharing(world) == SCREE_SHARING_MEMORY)
+		return world;
+	print_message("skipped: the driver shares no memory\n");
+	scree_world_destroy(world);
+	return NULL;
+}
+
+static void rays_of_cuda(void** state)
+{
+	(void)state;
+	scree_world* world = open_sharing();
+	if (!world)
 		skip();
-	}
 	add_floor(world);
 	for (int k = 0; k < 500; ++k)
 		add_crate(world, SCREE_BODY_DYNAMIC, 1.3f * (float)(k % 50), 0.6f + 1.1f * (float)(k / 50));
 	run_steps(world, 30);
 
-	void* context;
-	Allocation wish = {.type = 1, .handles = 1, .location = {1, 0}};
-	Access access = {{1, 0}, 3};
-	size_t unit, bytes = 2 * RAYS * sizeof(scree_ray);
-	unsigned long long allocation, at;
-	int file = -1;
-	CUDA(cuDevicePrimaryCtxRetain(&context, 0));
-	CUDA(cuCtxSetCurrent(context));
-	CUDA(cuMemGetAllocationGranularity(&unit, &wish, 0));
-	size_t whole = (bytes + unit - 1) / unit * unit;
-	CUDA(cuMemCreate(&allocation, whole, &wish, 0));
-	CUDA(cuMemExportToShareableHandle(&file, allocation, 1, 0));
-	CUDA(cuMemAddressReserve(&at, whole, 0, 0, 0));
-	CUDA(cuMemMap(at, whole, 0, allocation, 0));
-	CUDA(cuMemSetAccess(at, whole, &access, 1));
-	OK(scree_world_share_queries(world, file, whole));
+	CudaMemory memory = allocate(2 * RAYS * sizeof(scree_ray));
+	unsigned long long at = memory.at;
+	OK(scree_world_share_queries(world, memory.file, memory.bytes));
 
 	scree_ray* rays = calloc(RAYS, sizeof *rays);
 	scree_query_result *found = calloc(RAYS, sizeof *found), *shared = calloc(RAYS, sizeof *shared);
@@ -131,8 +154,98 @@ static void rays_of_cuda(void** state)
 	free(shared);
 }
 
+#define WORLDS  65536
+#define CRATES  5
+#define COLUMNS (7 * CRATES)
+#define STEPS   40
+
+typedef struct
+{
+	scree_batch* batch;
+	float *inputs, *outputs;
+	double seconds; // duration of all steps
+} Side;
+
+static void open_side(Side* side, scree_world* world, const scree_body bodies[CRATES])
+{
+	scree_batch_def def = scree_batch_def_default();
+	scree_channel in = scree_channel_make(SCREE_INPUT_FORCE), out[2 * CRATES];
+	def.worlds = WORLDS;
+	def.device = "opencl:NVIDIA";
+	def.templates = &world;
+	def.template_count = 1;
+	OK(scree_batch_create(&def, &side->batch));
+	in.body = bodies[0];
+	for (int k = 0; k < 2 * CRATES; ++k)
+	{
+		out[k] = scree_channel_make(k % 2 == 0 ? SCREE_OUTPUT_POSE : SCREE_OUTPUT_VELOCITY);
+		out[k].body = bodies[k / 2];
+	}
+	OK(scree_batch_bind(side->batch, SCREE_STEP_INPUTS, &in, 1, NULL));
+	OK(scree_batch_bind(side->batch, SCREE_OUTPUTS, out, 2 * CRATES, NULL));
+	side->inputs = scree_batch_get_rows(side->batch, SCREE_STEP_INPUTS);
+	side->outputs = scree_batch_get_rows(side->batch, SCREE_OUTPUTS);
+	side->seconds = 0.0;
+}
+
+static void rows_of_cuda(void** state)
+{
+	(void)state;
+	scree_world* sharing = open_sharing();
+	if (!sharing)
+		skip();
+	scree_world_destroy(sharing);
+	scree_world* world = open_world_on("cpu", 1, (float)-G);
+	scree_body bodies[CRATES];
+	add_floor(world);
+	for (int k = 0; k < CRATES; ++k)
+		bodies[k] = add_crate(world, SCREE_BODY_DYNAMIC, 0.1f * (float)k, 0.6f + 1.1f * (float)k);
+	Side host, cuda;
+	open_side(&host, world, bodies);
+	open_side(&cuda, world, bodies);
+	size_t input_bytes = 2 * WORLDS * sizeof(float), output_bytes = COLUMNS * WORLDS * sizeof(float);
+	CudaMemory inputs = allocate(input_bytes), outputs = allocate(output_bytes);
+	OK(scree_batch_share_rows(cuda.batch, SCREE_STEP_INPUTS, inputs.file, inputs.bytes));
+	OK(scree_batch_share_rows(cuda.batch, SCREE_OUTPUTS, outputs.file, outputs.bytes));
+	float* found = malloc(output_bytes);
+	uint64_t seed = 7, *hashes = malloc(2 * WORLDS * sizeof *hashes);
+	for (int step = 0; step < STEPS; ++step)
+	{
+		for (int k = 0; k < 2 * WORLDS; ++k)
+			host.inputs[k] = random_between(&seed, -30.0f, 30.0f);
+		CUDA(cuMemcpyHtoD_v2(inputs.at, host.inputs, input_bytes));
+		double begin = seconds_now();
+		OK(scree_batch_step(host.batch, 1.0f / 60.0f, 4, 1));
+		double middle = seconds_now();
+		OK(scree_batch_step(cuda.batch, 1.0f / 60.0f, 4, 1));
+		host.seconds += middle - begin;
+		cuda.seconds += seconds_now() - middle;
+		CUDA(cuMemcpyDtoH_v2(found, outputs.at, output_bytes));
+		assert_memory_equal(found, host.outputs, output_bytes);
+	}
+	OK(scree_batch_get_hashes(host.batch, hashes));
+	OK(scree_batch_get_hashes(cuda.batch, hashes + WORLDS));
+	assert_memory_equal(hashes, hashes + WORLDS, WORLDS * sizeof *hashes);
+	print_message("%d worlds, %d columns: a step takes %.3f ms with rows of the host, %.3f ms with rows of CUDA\n",
+	              WORLDS, COLUMNS, 1e3 * host.seconds / STEPS, 1e3 * cuda.seconds / STEPS);
+
+	// a value that is refused is named as on the host
+	char sentence[256];
+	host.inputs[2 * 12345 + 1] = (float)NAN;
+	CUDA(cuMemcpyHtoD_v2(inputs.at, host.inputs, input_bytes));
+	assert_int_equal(scree_batch_step(host.batch, 1.0f / 60.0f, 4, 1), SCREE_ERROR_INVALID);
+	snprintf(sentence, sizeof sentence, "%s", scree_error());
+	assert_int_equal(scree_batch_step(cuda.batch, 1.0f / 60.0f, 4, 1), SCREE_ERROR_INVALID);
+	assert_string_equal(scree_error(), sentence);
+	scree_batch_destroy(host.batch);
+	scree_batch_destroy(cuda.batch);
+	scree_world_destroy(world);
+	free(found);
+	free(hashes);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(rays_of_cuda)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(rays_of_cuda), cmocka_unit_test(rows_of_cuda)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

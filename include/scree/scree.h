@@ -2616,11 +2616,21 @@ typedef enum scree_channels // lists of channels of a batch
 SCREE_API scree_status scree_batch_bind(scree_batch* batch, scree_channels list, const scree_channel* channels,
                                         int count, float* memory);
 
+// Lets the rows of a bound list stay on the device, in memory that another API allocated there and exported as an opaque file
+// descriptor, as for scree_world_share_memory: CUDA and Vulkan can. Steps then read the inputs there, and check them there; they
+// write the outputs there, which are complete when the call returns. Nothing is transferred over the bus. The memory that was
+// bound is released, or stays that of the program. On success the batch owns the descriptor. bytes: size of the memory, at least 4 times worlds times
+// columns; row k begins at byte 4 times k times columns. Sharing ends when the list is bound again. Fails with
+// SCREE_ERROR_NOT_SUPPORTED for SCREE_RESET_INPUTS, for poses, targets and parameters, for a unit of length, for templates with
+// different tunings, and if the device does not share memory (SCREE_SHARING_MEMORY).
+SCREE_API scree_status scree_batch_share_rows(scree_batch* batch, scree_channels list, int file_descriptor,
+                                              size_t bytes);
+
 // Returns the number of columns of a list; 0 if batch is null.
 SCREE_API int scree_batch_get_columns(const scree_batch* batch, scree_channels list);
 
 // Returns the array of a list: the memory that was bound, or that the batch made, which is valid until the list is bound
-// again. Null if the list is empty, or if batch is null.
+// again. Null if the list is empty or shared, or if batch is null.
 SCREE_API float* scree_batch_get_rows(const scree_batch* batch, scree_channels list);
 
 // Writes the outputs of the current state, for instance after a reset. Rows of paused worlds stay as they were.

@@ -62,6 +62,8 @@ typedef enum // uses of shared memory
 {
 	SHARED_ROWS,    // render rows
 	SHARED_QUERIES, // queries and query results
+	SHARED_INPUTS,  // inputs of the steps of a batch
+	SHARED_OUTPUTS, // outputs of a batch
 	SHARED_USES
 } SharedUse;
 
@@ -132,10 +134,10 @@ typedef struct // every function that returns a status sets the error's sentence
 	scree_status (*share)(Backend* b, SharedUse use, const SharedMemory* memory);
 	// executes a run whose pool render_row is the memory of SHARED_ROWS; returns when OpenGL may read this memory
 	scree_status (*render)(Backend* b, const Run* run);
-	// copy the first `count` items of a pool, in order with the runs. download: from the memory of SHARED_QUERIES, at
+	// copy `count` items of a pool from item `first` on, in order with the runs. download: from the memory of a use, at
 	// `offset` bytes, into the pool. upload: from the pool into this memory; returns when other programs may read it
-	scree_status (*download)(Backend* b, PoolId pool, int count, size_t offset);
-	scree_status (*upload)(Backend* b, PoolId pool, int count, size_t offset);
+	scree_status (*download)(Backend* b, SharedUse use, PoolId pool, int first, int count, size_t offset);
+	scree_status (*upload)(Backend* b, SharedUse use, PoolId pool, int first, int count, size_t offset);
 	// returns the address of a pool in host memory, valid until the next resize; null if pools are not in host memory
 	void* (*address)(Backend* b, PoolId pool);
 	// frees a CPU core for other work of this process (true), or takes it back (false), between lists; may be null

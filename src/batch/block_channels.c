@@ -41,6 +41,10 @@ static void lay_out(Block* block, int templates, int* channels, int* groups, int
 		*channels += templates * set->count;
 		*groups += set->groups + 1;
 		*columns += ((int64_t)block->worlds * set->columns + ALIGNED - 1) / ALIGNED * ALIGNED;
+		if (k != CHANNELS_STEP)
+			continue;
+		block->lists[k].bounds = (int)*columns;
+		*columns += 2 * set->columns;
 	}
 }
 
@@ -72,6 +76,11 @@ static scree_status write_list(Block* block, int which, int templates)
 		return b->f->write(b, POOL_channel_group, list->first_group, 1, groups);
 	TRY(b->f->write(b, POOL_channel, list->first, templates * set->count, set->channels));
 	TRY(b->f->write(b, POOL_channel_group, list->first_group, set->groups + 1, set->group));
+	if (which == CHANNELS_STEP && set->columns > 0)
+	{
+		TRY(b->f->write(b, POOL_column, list->bounds, set->columns, set->least));
+		TRY(b->f->write(b, POOL_column, list->bounds + set->columns, set->columns, set->most));
+	}
 	return b->f->clear(b, POOL_column, list->column, block->worlds * set->columns);
 }
 
@@ -191,6 +200,25 @@ scree_status block_set_parameters(Block* block)
 	return block->sets ? set_parameters(block, CHANNELS_STEP, NULL, block->worlds) : SCREE_OK;
 }
 
+scree_status block_check_shared(Block* block, const char* function)
+{
+	Backend* b = block->backend;
+	const ChannelSet* set = block->sets + CHANNELS_STEP;
+	ChannelList* list = block->lists + CHANNELS_STEP;
+	int columns = set->columns, values = block->worlds * columns;
+	TRY(b->f->download(b, SHARED_INPUTS, POOL_column, list->column, values, 0));
+	TRY(bays_run(&block->pipeline, KERNEL_channel_check, 0, values, CHANNELS_STEP));
+	ChannelList checked;
+	TRY(b->f->read(b, POOL_channel_list, CHANNELS_STEP, 1, &checked));
+	if (checked.wrong == 0)
+		return SCREE_OK;
+	float row[MOST_COLUMNS];
+	int world = (values - checked.wrong) / columns;
+	TRY(b->f->write(b, POOL_channel_list, CHANNELS_STEP, 1, list)); // `wrong` is 0
+	TRY(b->f->read(b, POOL_column, list->column + world * columns, columns, row));
+	return channels_check_row(set, function, row, world);
+}
+
 scree_status block_apply_inputs(Block* block)
 {
 	Backend* b = block->backend;
@@ -199,6 +227,8 @@ scree_status block_apply_inputs(Block* block)
 	const ChannelSet* set = block->sets + CHANNELS_STEP;
 	size_t columns = (size_t)set->columns;
 	bool converted = converts(block, set);
+	if (set->shared) // block_check_shared has copied the rows
+		return apply(block, CHANNELS_STEP, 0, block->pipeline.live_bays);
 	for (int k = 0; k < block->worlds && converted; ++k)
 		channels_put(set, block->converted + (size_t)k * columns, memory_of(block, CHANNELS_STEP, k));
 	TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_STEP].column, block->worlds * set->columns,
@@ -277,6 +307,9 @@ scree_status block_write_outputs(Block* block)
 		runs[1] = (Run){KERNEL_channel_angles, joints * padded(live), rays * padded(live), NO_COUNT,
 		                RUN_PAIR(CHANNELS_OUTPUTS, live)};
 	TRY(bays_run_all(&block->pipeline, runs, sizeof runs / sizeof *runs));
+	if (set->shared)
+		return b->f->upload(b, SHARED_OUTPUTS, POOL_column, block->lists[CHANNELS_OUTPUTS].column, rows * set->columns,
+		                    0);
 	bool converted = converts(block, set);
 	float* to = converted ? block->converted : memory_of(block, CHANNELS_OUTPUTS, 0);
 	TRY(b->f->read(b, POOL_column, block->lists[CHANNELS_OUTPUTS].column, rows * set->columns, to));

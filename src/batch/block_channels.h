@@ -10,6 +10,9 @@ scree_status block_bind(Block* block, const ChannelSet* sets, int templates);
 // Sets the parameters of the worlds that run, which are inputs of a step.
 scree_status block_set_parameters(Block* block);
 
+// Copies the inputs of a step from shared memory, and checks their ranges on the device.
+scree_status block_check_shared(Block* block, const char* function);
+
 // Applies the other inputs of a step, except targets.
 scree_status block_apply_inputs(Block* block);
 // Applies forces and torques again, before the second and later steps of a call.

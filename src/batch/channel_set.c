@@ -246,7 +246,7 @@ static bool parts_are_valid(const ChannelSet* set, const float* rows, int count)
 	return !wrong;
 }
 
-static scree_status check_row(const ChannelSet* set, const char* function, const float* row, int world)
+scree_status channels_check_row(const ChannelSet* set, const char* function, const float* row, int world)
 {
 	char name[48];
 	snprintf(name, sizeof name, "inputs of world %d", world);
@@ -286,7 +286,7 @@ scree_status channels_check(const ChannelSet* set, const char* function, const f
 			convert(set, metres, TO_METRES);
 			row = metres;
 		}
-		TRY(check_row(set, function, row, k));
+		TRY(channels_check_row(set, function, row, k));
 	}
 	return SCREE_OK;
 }

@@ -14,6 +14,7 @@ typedef struct
 	float* memory;              // a row for each world, of the user or of the batch
 	bool owned;                 // the memory is of the batch
 	Backend* pins;              // device that pins it; null: it is ordinary memory
+	bool shared;                // rows are in memory of the device that another program uses too; `memory` is null
 	Channel* channels;          // for each template, those of all groups
 	int* group;                 // first channel of each group, then `count`
 	int parameters;             // number of inputs that are parameters
@@ -36,6 +37,9 @@ void channels_close(ChannelSet* set);
 // Checks rows of inputs. first: number of the world of the first row. mask: per world, 0 for rows to skip; null: none.
 scree_status channels_check(const ChannelSet* set, const char* function, const float* rows, int first, int count,
                             const uint8_t* mask);
+
+// Checks a row of the inputs of a world. function: for the message.
+scree_status channels_check_row(const ChannelSet* set, const char* function, const float* row, int world);
 
 // Copies a row of inputs, with normalized rotations and in metres; or a row of outputs, in units of length.
 void channels_put(const ChannelSet* set, float* to, const float* from);

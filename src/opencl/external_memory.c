@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// external_memory.c -- shares memory with other programs on the device: render rows, queries and query results.
+// external_memory.c -- shares memory with other programs on the device: render rows, queries, rows of batches.
 //
 // cl_khr_gl_sharing imports a buffer object of OpenGL into a context that was created for it; cl_khr_external_memory
 // imports memory that Vulkan exported as a file descriptor. The memory must be acquired before each use and released
-// after it. Only the kernel render_row writes to it directly. Queries and query results are copied within device
+// after it. Only the kernel render_row writes to it directly. All others are copied within device
 // memory, because their pools share a buffer with other pools.
 #include "opencl/external_memory.h"
 #include "opencl/launch.h"
@@ -96,22 +96,28 @@ scree_status opencl_render(Backend* b, const Run* run)
 	return finish(d);
 }
 
-scree_status opencl_download(Backend* b, PoolId pool, int count, size_t offset)
+// Returns the offset of an item of a pool in the buffer of the pool, bytes.
+static size_t item_offset(const OpenCl* d, PoolId pool, int first)
+{
+	return pool_offset(d, pool) + pool_info[pool].bytes * (size_t)first;
+}
+
+scree_status opencl_download(Backend* b, SharedUse use, PoolId pool, int first, int count, size_t offset)
 {
 	OpenCl* d = b->state;
-	const Shared* shared = &d->shared[SHARED_QUERIES];
+	const Shared* shared = &d->shared[use];
 	TRY(acquire(d, shared));
 	TRY(CALL(d->failure, EnqueueCopyBuffer, d->queue, shared->memory, pool_buffer(d, pool), offset,
-	         pool_offset(d, pool), pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
+	         item_offset(d, pool, first), pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
 	return release(d, shared);
 }
 
-scree_status opencl_upload(Backend* b, PoolId pool, int count, size_t offset)
+scree_status opencl_upload(Backend* b, SharedUse use, PoolId pool, int first, int count, size_t offset)
 {
 	OpenCl* d = b->state;
-	const Shared* shared = &d->shared[SHARED_QUERIES];
+	const Shared* shared = &d->shared[use];
 	TRY(acquire(d, shared));
-	TRY(CALL(d->failure, EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), shared->memory, pool_offset(d, pool),
+	TRY(CALL(d->failure, EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), shared->memory, item_offset(d, pool, first),
 	         offset, pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
 	TRY(release(d, shared));
 	return finish(d);

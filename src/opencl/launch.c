@@ -5,6 +5,9 @@
 #include "platform/error.h"
 #include <string.h>
 
+// least number of work-items of a group: those that a GPU executes together
+#define SMALL_GROUP ((size_t)32)
+
 // maximum number of work-groups per compute unit; in longer runs, a work-item executes several items
 #define GROUPS_A_UNIT 64
 
@@ -112,6 +115,16 @@ static Kernel* kernel_function(OpenCl* d, int kernel)
 	return &d->kernels[kernel];
 }
 
+// Returns the number of work-items per group. A chain or a branch in a batch has at most as many joints as a world, so a large
+// group would have no work for most of its items, and would leave no room for other groups.
+static size_t group_size(const OpenCl* d, const Kernel* kernel, int kernel_id)
+{
+	const Bays* bays = &d->constants.step.bays;
+	size_t joints = (size_t)1 << bays->joint_bits, enough = joints < SMALL_GROUP ? SMALL_GROUP : joints;
+	bool joined = kernel_id >= KERNEL_chain_begin && kernel_id <= KERNEL_branch_end;
+	return joined && bays->worlds > 0 && enough < kernel->group ? enough : kernel->group;
+}
+
 scree_status kernel_run(OpenCl* d, const Run* run)
 {
 	size_t group = kernel_function(d, run->kernel_id)->group;
@@ -127,5 +140,6 @@ scree_status kernel_run_within(OpenCl* d, const Run* run, size_t items_a_group, 
 	size_t items = (size_t)(run->end - run->begin);
 	size_t groups = (items + items_a_group - 1) / items_a_group;
 	size_t most = (size_t)d->device.about.compute_units * groups_a_unit;
-	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
+	size_t group = group_size(d, kernel, run->kernel_id);
+	return launch(d, kernel->kernel, (groups < most ? groups : most) * group, group);
 }

@@ -55,7 +55,8 @@ typedef struct // 32 bytes: a list of channels, whose groups contain the channel
 	int groups, first_group;
 	int columns; // number of columns of a row
 	int column;  // first column of row 0 in the pool column
-	int unused[2];
+	int bounds; // place in the pool column: least values of all columns, then largest ones; for inputs in shared memory
+	int wrong;  // channel_check: number of values from the first one out of range to the last one; 0: there is none
 } ChannelList;
 
 #endif

@@ -168,9 +168,9 @@ scree_status queries_answer(Pipeline* pipeline, const QueryRequest* q, QueryResu
 		TRY(b->f->round_trip(b, &pipeline->step, &trip));
 		return lap(pipeline, q);
 	}
-	TRY(b->f->download(b, POOL_query, q->count, q->items_at));
+	TRY(b->f->download(b, SHARED_QUERIES, POOL_query, 0, q->count, q->items_at));
 	TRY(b->f->run(b, &pipeline->step, &run, 1));
-	TRY(b->f->upload(b, POOL_found, q->count, q->found_at));
+	TRY(b->f->upload(b, SHARED_QUERIES, POOL_found, 0, q->count, q->found_at));
 	return lap(pipeline, q);
 }
 

@@ -116,6 +116,11 @@ static scree_status check_block(Block* block, const void* context)
 static scree_status check_inputs(scree_batch* batch, const char* function, int list, const uint8_t* mask)
 {
 	InputCheck check = {function, batch->sets + list, mask};
+	if (check.set->shared)
+	{
+		scree_status status = block_check_shared(batch->blocks, function);
+		return status == SCREE_ERROR_DEVICE_FAILED ? batch_note(batch, status) : status;
+	}
 	return check.set->columns > 0 ? batch_each(batch, check_block, &check) : SCREE_OK;
 }
 

@@ -54,6 +54,12 @@ static scree_status open_set(scree_batch* batch, const char* function, scree_cha
 	return status;
 }
 
+static scree_status share(scree_batch* batch, scree_channels list, const SharedMemory* memory)
+{
+	Backend* b = batch->blocks[0].backend;
+	return b->f->share(b, list == SCREE_OUTPUTS ? SHARED_OUTPUTS : SHARED_INPUTS, memory);
+}
+
 // Replaces a list of channels. On failure `*set` is closed, and the list stays as it was.
 static scree_status replace(scree_batch* batch, scree_channels list, ChannelSet* set)
 {
@@ -62,9 +68,11 @@ static scree_status replace(scree_batch* batch, scree_channels list, ChannelSet*
 	scree_status status = batch_each(batch, bind_block, batch);
 	if (status == SCREE_OK)
 	{
+		if (before.shared)
+			status = batch_note(batch, share(batch, list, NULL));
 		channel_rows_close(&before);
 		channels_close(&before);
-		return SCREE_OK;
+		return status;
 	}
 	batch->sets[list] = before; // blocks whose pools could not grow get the lists before again
 	if (batch_each(batch, bind_block, batch) != SCREE_OK)
@@ -96,6 +104,52 @@ scree_status api_batch_bind(scree_batch* batch, scree_channels list, const scree
 		channels_close(&set);
 	}
 	return status;
+}
+
+// Returns whether a list can be shared, all of whose rows must be in one block, and have the values that kernels read.
+static scree_status check_share(const scree_batch* batch, const char* function, scree_channels list, size_t bytes)
+{
+	const ChannelSet* set = batch->sets + list;
+	const Backend* b = batch->blocks[0].backend;
+	size_t least = sizeof(float) * (size_t)batch->worlds * (size_t)set->columns;
+	if (list == SCREE_RESET_INPUTS)
+		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: the inputs of resets are in memory of the host", function);
+	if (set->columns == 0)
+		return fail(SCREE_ERROR_INVALID, "%s: list %d has no channels; scree_batch_bind comes first", function,
+		            (int)list);
+	if (b->sharing != SCREE_SHARING_MEMORY)
+		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: the rows of a batch on %s are %s", function, b->name,
+		            scree_sharing_name(SCREE_SHARING_COPIED));
+	if (batch->block_count > 1)
+		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: templates have different tunings, so the rows are not in one place",
+		            function);
+	if (set->unit != 0.0)
+		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: memory is shared in metres, and scree_world_def.length_unit is %s",
+		            function, decimal((float)set->unit).text);
+	if (set->poses || set->parameters > 0)
+		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: the host must read inputs that are poses, targets or parameters",
+		            function);
+	if (bytes < least)
+		return fail(SCREE_ERROR_INVALID, "%s: bytes is %zu, must be at least %zu for %d worlds and %d columns",
+		            function, bytes, least, batch->worlds, set->columns);
+	return SCREE_OK;
+}
+
+scree_status api_batch_share_rows(scree_batch* batch, scree_channels list, int file_descriptor, size_t bytes)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_share_rows";
+	TRY(batch_check(batch, function));
+	TRY(check_list_number(function, list));
+	if (file_descriptor < 0)
+		return fail(SCREE_ERROR_INVALID, "%s: file_descriptor is %d, must not be negative", function, file_descriptor);
+	TRY(check_share(batch, function, list, bytes));
+	SharedMemory memory = {.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes};
+	scree_status status = share(batch, list, &memory);
+	TRY(status == SCREE_ERROR_DEVICE_FAILED ? batch_note(batch, status) : status);
+	channel_rows_close(batch->sets + list);
+	batch->sets[list].shared = true;
+	return SCREE_OK;
 }
 
 float* scree_batch_get_rows(const scree_batch* batch, scree_channels list)

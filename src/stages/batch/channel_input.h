@@ -180,6 +180,17 @@ KERNEL(channel_input)
 	}
 }
 
+// Item: a value of a list of inputs in shared memory, which the host cannot check. argument: number of the list.
+KERNEL(channel_check)
+{
+	GLOBAL ChannelList* list = p->channel_list + p->argument;
+	int columns = list->columns, values = p->step.bays.worlds * columns, column = i % columns;
+	const GLOBAL float* least = p->column + list->bounds;
+	float value = p->column[list->column + i];
+	if (!(value >= least[column]) || !(value <= least[columns + column]))
+		raise_int(&list->wrong, values - i);
+}
+
 // Wakes a body whose joint was changed, as a call of the user does.
 INLINE void channel_stir_body(const Pools* p, int body)
 {
