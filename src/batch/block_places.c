@@ -129,18 +129,23 @@ static int next_masked(const Block* block, const uint8_t* mask, int row)
 
 scree_status block_restore(Block* block, const uint8_t* mask, int* count)
 {
-	*count = 0;
-	for (int row = mask ? next_masked(block, mask, 0) : 0, last = -1; row < block->worlds;
+	int found = 0;
+	for (int row = mask ? next_masked(block, mask, 0) : 0; row < block->worlds;
 	     row = mask ? next_masked(block, mask, row + 1) : row + 1)
+		block->rows[found++] = row;
+	// a loop of its own: the processor loads the values of many worlds at once, which are in different cache lines
+	for (int k = 0, last = -1; k < found; ++k)
 	{
-		int number = block_number(block, row);
+		int row = block->rows[k], number = block_number(block, row);
 		if (number != last)
 			add_pending(block, row, true);
 		last = number;
-		block_targets_begin(block, row);
-		block_add_copy(block, count, block->spare_of[number], block->bay_of[row], row);
+		block->copies[k] = make_int2(block->spare_of[number], block->bay_of[row]);
 	}
-	return copy(block, *count);
+	for (int k = 0; k < found && block->targets; ++k)
+		block_targets_begin(block, block->rows[k]);
+	*count = found;
+	return copy(block, found);
 }
 
 // Moves worlds to the first `live` bays, and puts worlds back to their templates.
