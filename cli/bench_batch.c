@@ -153,20 +153,21 @@ static bool check(const Run* run, const Known* known, const char* settings)
 	return known_agrees(known, run->options->known, name, settings, run->steps, run->single) && valid;
 }
 
-// Prints the sums of the contacts of all worlds, and the largest of their overlaps and gaps of joints, m.
+// Prints the sums of the contacts and of the sleeping bodies of all worlds, and the largest of their overlaps and gaps of joints, m.
 static void print_counters(const Run* run)
 {
-	int64_t contacts = 0, touching = 0;
+	int64_t contacts = 0, touching = 0, asleep = 0;
 	double penetration = 0.0, joint_gap = 0.0;
 	for (int k = 0; k < run->drive.worlds; ++k)
 	{
 		const scree_batch_counters* of = run->counters + k;
 		contacts += of->contacts;
 		touching += of->touching;
+		asleep += of->asleep_bodies;
 		penetration = fmax(penetration, of->penetration);
 		joint_gap = fmax(joint_gap, of->joint_gap);
 	}
-	printf(",%" PRId64 ",%" PRId64 ",%.4f,%.4f", contacts, touching, penetration, joint_gap);
+	printf(",%" PRId64 ",%" PRId64 ",%" PRId64 ",%.4f,%.4f", contacts, touching, asleep, penetration, joint_gap);
 }
 
 static void print_row(Run* run, const char* settings, bool valid)
@@ -267,10 +268,10 @@ int measure_batches(const Options* options, const SceneList* list)
 	for (int k = 0; k < list->count && code == EXIT_GOOD; ++k)
 		code = batch_takes(options, list->scenes[k]) ? EXIT_GOOD : EXIT_BAD;
 	if (code == EXIT_GOOD)
-		printf(
-		    "scene,settings,device,threads,lanes,worlds,part,resets,inputs,columns,bodies,steps,ms_create,ms_step,"
-		    "ms_least,ms_most,world_steps_s,contacts,touching,penetration,joint_gap,hash_sum,hash_first,hash_last,hash,"
-		    "valid\n");
+		printf("scene,settings,device,threads,lanes,worlds,part,resets,inputs,columns,bodies,steps,ms_create,ms_step,"
+		       "ms_least,ms_most,world_steps_s,contacts,touching,asleep,penetration,joint_gap,hash_sum,hash_first,hash_"
+		       "last,hash,"
+		       "valid\n");
 	for (int k = 0; k < list->count && code == EXIT_GOOD; ++k)
 		code = measure(options, list->scenes[k], &known, &invalid);
 	known_close(&known);

@@ -233,6 +233,41 @@ static void approvals_are_refused(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// The stages of a step are measured on each device, and only if the definition says so.
+static void stages_are_measured(void** state)
+{
+	(void)state;
+	scree_world* world = falling_boxes(3);
+	for (int k = 0; k < 4; ++k)
+	{
+		scree_batch* batch;
+		scree_timings times;
+		scree_batch_def def = scree_batch_def_default();
+		def.device = k < 2 ? "cpu" : second_device;
+		def.worlds = 300;
+		def.templates = &world;
+		def.template_count = 1;
+		def.timings = k % 2 == 1;
+		if (!def.device[0])
+			continue;
+		OK(scree_batch_create(&def, &batch));
+		OK(scree_batch_get_timings(batch, &times));
+		assert_true(times.step == 0.0f && times.solve == 0.0f && times.finalize == 0.0f);
+		OK(scree_batch_step(batch, STEP, 4, 2));
+		OK(scree_batch_get_timings(batch, &times));
+		const float stages[] = {times.transform, times.broad_phase, times.narrow_phase,
+		                        times.color,     times.solve,       times.finalize};
+		for (int n = 0; n < 6; ++n)
+			if (!(def.timings ? stages[n] >= 0.0f && stages[n] < 1.0e4f : stages[n] == 0.0f))
+				fail_msg("%s, timings %d: stage %d took %g ms", def.device, def.timings, n, (double)stages[n]);
+		assert_true((times.step > 0.0f && times.solve > 0.0f) == def.timings && times.queries == 0.0f);
+		REFUSED(scree_batch_get_timings(batch, NULL), "scree_batch_get_timings: timings is null");
+		scree_batch_destroy(batch);
+	}
+	scree_world_destroy(world);
+	assert_int_equal(scree_memory(), 0);
+}
+
 static void bad_arguments_are_refused(void** state)
 {
 	(void)state;
@@ -288,10 +323,15 @@ static void bad_arguments_are_refused(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(scenes_are_equal),   cmocka_unit_test(templates_are_mixed),
-	    cmocka_unit_test(bays_grow),          cmocka_unit_test(places_do_not_matter),
-	    cmocka_unit_test(lengths_may_change), cmocka_unit_test(bad_arguments_are_refused),
-	    cmocka_unit_test(visits_are_refused), cmocka_unit_test(approvals_are_refused),
+	    cmocka_unit_test(scenes_are_equal),
+	    cmocka_unit_test(templates_are_mixed),
+	    cmocka_unit_test(bays_grow),
+	    cmocka_unit_test(places_do_not_matter),
+	    cmocka_unit_test(lengths_may_change),
+	    cmocka_unit_test(bad_arguments_are_refused),
+	    cmocka_unit_test(stages_are_measured),
+	    cmocka_unit_test(visits_are_refused),
+	    cmocka_unit_test(approvals_are_refused),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

@@ -102,14 +102,15 @@ static void check_counters(const Checked* c, int world, const scree_batch_counte
 	int crowded = c->crowded[world] ? t->crowded[c->template_of[world]] : 0;
 	if (now->contacts != alone->contacts || now->touching != alone->touching ||
 	    now->penetration != alone->penetration || now->joint_gap != alone->joint_gap ||
-	    now->frozen_bodies != alone->frozen_bodies || now->crowded < crowded || (now->crowded > 0) != c->crowded[world])
+	    now->frozen_bodies != alone->frozen_bodies || now->asleep_bodies != alone->asleep_bodies ||
+	    now->crowded < crowded || (now->crowded > 0) != c->crowded[world])
 		fail_msg(
 		    "%s: world %d, template %d, age %d, paused %d: contacts %d %d, touching %d %d, penetration %g %g, gap %g "
-		    "%g, frozen %d %d, crowded %d %d",
+		    "%g, frozen %d %d, asleep %d %d, crowded %d %d",
 		    c->name, world, c->template_of[world], c->ages[world], c->paused[world], now->contacts, alone->contacts,
 		    now->touching, alone->touching, (double)now->penetration, (double)alone->penetration,
-		    (double)now->joint_gap, (double)alone->joint_gap, now->frozen_bodies, alone->frozen_bodies, now->crowded,
-		    crowded);
+		    (double)now->joint_gap, (double)alone->joint_gap, now->frozen_bodies, alone->frozen_bodies,
+		    now->asleep_bodies, alone->asleep_bodies, now->crowded, crowded);
 }
 
 static void check(const Checked* c)

@@ -280,15 +280,15 @@ refuse 2 'no scene is called "nothing"' bench pyramid nothing
 
 # batches: the first and the last world have the hash of the world alone, the sum is the same for all threads, lanes and runs
 heading=scene,settings,device,threads,lanes,worlds,part,resets,inputs,columns,bodies,steps,ms_create,ms_step,ms_least,ms_most
-heading+=,world_steps_s,contacts,touching,penetration,joint_gap,hash_sum,hash_first,hash_last,hash,valid
+heading+=,world_steps_s,contacts,touching,asleep,penetration,joint_gap,hash_sum,hash_first,hash_last,hash,valid
 expect 0 "$heading" bench pyramid --steps 5 --set rows=6 --worlds 30 --threads 1
-cut -d, -f 1-12,23-26 out | grep -qxE "pyramid,rows=6,cpu,1,[0-9]+,30,1/1,0,0,0,22,5,$hash,$hash,$hash,1" ||
+cut -d, -f 1-12,24-27 out | grep -qxE "pyramid,rows=6,cpu,1,[0-9]+,30,1/1,0,0,0,22,5,$hash,$hash,$hash,1" ||
 	fail "bench --worlds: an unexpected row"
-awk -F, 'NR == 2 { exit !($13 > 0 && $15 <= $14 && $14 <= $16 && $17 > 0 && $18 == 30 * 51 && $19 == 30 * 51 && $20 > 0) }' out ||
+awk -F, 'NR == 2 { exit !($13 > 0 && $15 <= $14 && $14 <= $16 && $17 > 0 && $18 == 30 * 51 && $19 == 30 * 51 && $20 == 0 && $21 > 0) }' out ||
 	fail "bench --worlds: columns that cannot be"
 dolls=(ragdolls --steps 20 --set columns=1 --set rows=1 --worlds 40 --resets 10 --template-steps 30)
 expect 0 'columns=1 rows=1 --template-steps=30,cpu,2,' bench "${dolls[@]}" --threads 2
-sum=$(sed 1d out | cut -d, -f 22-26)
+sum=$(sed 1d out | cut -d, -f 23-27)
 expect 0 "$sum" bench "${dolls[@]}" --threads 1 --lanes 1 --repeats 1
 cp out batch.csv
 expect 0 "$sum" bench "${dolls[@]}" --repeats 1 --known batch.csv
@@ -299,11 +299,11 @@ expect 1 'ragdolls is invalid: its hash is' bench "${dolls[@]}" --repeats 1 --kn
 # inputs move all worlds but the first and the last; parts of the worlds have the hashes that they have together
 moved=(walker --steps 20 --worlds 40 --resets 10 --inputs --columns 20 --threads 1 --repeats 1)
 expect 0 ',40,1/1,10,1,18,' bench "${moved[@]}"
-sum=$(sed 1d out | cut -d, -f 22)
+sum=$(sed 1d out | cut -d, -f 23)
 parts=0
 for part in 1/3 2/3 3/3; do
 	expect 0 ",$part,10,1,18," bench "${moved[@]}" --part $part
-	parts=$((parts + 0x$(sed 1d out | cut -d, -f 22)))
+	parts=$((parts + 0x$(sed 1d out | cut -d, -f 23)))
 done
 [ "$(printf %016x $parts)" = "$sum" ] || fail "bench --part: the parts have another sum of hashes"
 expect 0 "$sum" bench "${moved[@]}" --columns 1 --threads 2 --lanes 1

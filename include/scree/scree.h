@@ -2437,7 +2437,7 @@ typedef struct scree_batch_def
 	int lanes;               // as in scree_world_def
 	bool allow_unequal_bits; // as in scree_world_def
 	float device_timeout;    // as in scree_world_def
-	bool timings;            // as in scree_world_def
+	bool timings;            // as in scree_world_def; scree_batch_get_timings
 } scree_batch_def;
 
 // Returns a definition with the default values.
@@ -2487,11 +2487,16 @@ typedef struct
 	int32_t crowded;
 	int32_t frozen_bodies, contacts, touching;
 	float penetration, joint_gap; // m, or the unit of length of the template
+	int32_t asleep_bodies;
 } scree_batch_counters;
 
 // Writes the counters of the last step of each world, paused ones too. counters: array with one entry per world. After a reset
 // they are those of the template.
 static inline scree_status scree_batch_get_counters(scree_batch* batch, scree_batch_counters* counters);
+
+// Returns the times of the last step of the last call of scree_batch_step; zeros unless scree_batch_def.timings is set. `step` is
+// the duration of that call. On a CPU the times of the stages are sums over the threads; `queries` is 0.
+static inline scree_status scree_batch_get_timings(scree_batch* batch, scree_timings* timings);
 
 // Writes the hash of each world: the one that scree_world_get_hash returns for the same world alone. hashes: array with
 // one entry per world.
@@ -2876,6 +2881,12 @@ SCREE_API scree_status scree_batch_get_counters_sized(scree_batch* batch, scree_
 static inline scree_status scree_batch_get_counters(scree_batch* batch, scree_batch_counters* counters)
 {
 	return scree_batch_get_counters_sized(batch, counters, sizeof *counters);
+}
+
+SCREE_API scree_status scree_batch_get_timings_sized(scree_batch* batch, scree_timings* timings, size_t size);
+static inline scree_status scree_batch_get_timings(scree_batch* batch, scree_timings* timings)
+{
+	return scree_batch_get_timings_sized(batch, timings, sizeof *timings);
 }
 
 SCREE_API scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size);

@@ -161,8 +161,10 @@ static scree_status open_block(Block* block, const void* context)
 	const scree_batch* batch = plan->batch;
 	Backend* backend;
 	TRY(open_device(plan->def, plan->threads, &backend));
-	return block_open(block, backend, batch->templates, batch->template_count, batch->template_of, batch->next_of,
-	                  &batch->order, block->first, block->worlds, plan->def->contact_limit);
+	TRY(block_open(block, backend, batch->templates, batch->template_count, batch->template_of, batch->next_of,
+	               &batch->order, block->first, block->worlds, plan->def->contact_limit));
+	block->request.timings = batch->timings;
+	return SCREE_OK;
 }
 
 static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, const char* function)
@@ -194,6 +196,7 @@ scree_status batch_create(const scree_batch_def* def, const char* function, scre
 	if (!made)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a batch", function);
 	made->worlds = def->worlds;
+	made->timings = def->timings;
 	made->template_of = scree_allocate(sizeof(int) * (size_t)def->worlds);
 	if (def->other_templates)
 		made->next_of = scree_allocate(sizeof(int) * (size_t)def->worlds);

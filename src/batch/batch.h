@@ -18,6 +18,8 @@ struct scree_batch
 	Threads* threads;    // workers, each of which steps one block at a time; null if there is one block
 	scree_status broken; // sticky error, SCREE_OK while healthy
 	bool warned;         // a warning of a crowded world was logged
+	bool timings;        // as in scree_batch_def
+	double milliseconds; // duration of the last call that took steps; with timings
 };
 
 // Makes a batch. The arguments are checked. On failure *batch is null.

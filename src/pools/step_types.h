@@ -114,10 +114,11 @@ typedef struct // 20 bytes: values of a world of a batch that depend on its grav
 	float pair_depth, fixed_depth; // m: as Softness.depth of Step.pair and Step.fixed
 } BayGravity;
 
-typedef struct // 24 bytes: counters of a world of a batch, for the user
+typedef struct // 28 bytes: counters of a world of a batch, for the user
 {
 	int crowded, nonfinite, contacts, touching;
 	float penetration, joint_gap; // m
+	int asleep;                   // number of bodies that sleep
 } BayCounters;
 
 typedef struct // constants of one step, passed by value to every kernel; a comment "some ..." is the condition for 1

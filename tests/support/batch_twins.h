@@ -240,6 +240,10 @@ static inline void run_twins(Twins* t, int steps)
 		for (int k = 0; k < t->worlds; ++k)
 			if (!t->paused[k])
 				OK(scree_world_step(t->alone[k], lengths[length].dt, lengths[length].substeps));
+		int world = random_below(t->worlds), asleep = counters[world].asleep_bodies;
+		if (!t->paused[world] && asleep != counters_of(t->alone[world]).asleep_bodies)
+			fail_msg("step %d, world %d: %d bodies sleep, %d alone", step, world, asleep,
+			         counters_of(t->alone[world]).asleep_bodies);
 		compare(t, step);
 	}
 }

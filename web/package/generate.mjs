@@ -144,8 +144,9 @@ ${enumCode(enumerations.filter((e) => !is_draw(e)))}
 ${PARTS.map(part).join("\n")}`);
 writeFileSync(`${folder}/scree.d.ts`, licence + types({header, structs, described: described.filter((f) => !without_method.test(f.name)), enumerations: enumerations.filter((e) => !is_draw(e)), short}));
 writeFileSync(`${folder}/exports.json`, JSON.stringify([...functions.map((f) => `_${f.name}`), "_malloc", "_free", ...ENGINE.map((name) => `_${name}`)]));
-// "scree/batch": its functions, each of which batch.js calls, and the structs of their arguments
-const batchFunctions = Object.values(header.functions).filter((f) => /^scree_(batch_|channel_make)/.test(f.name));
+// "scree/batch": its functions, each of which batch.js calls, and the structs of their arguments. A page shares no memory of a device,
+// and measures no stages.
+const batchFunctions = Object.values(header.functions).filter((f) => /^scree_(batch_(?!share_rows|get_timings)|channel_make)/.test(f.name));
 const batchPart = part("batch.js"), batchStructs = ["def", "channel", "counters"].map((name) =>
 	[name, header.structs[name === "channel" ? "scree_channel" : `scree_batch_${name}`]]);
 for (const {name} of batchFunctions)

@@ -164,7 +164,10 @@ scree_status api_batch_step(scree_batch* batch, float dt, int substeps, int step
 	if (steps > 0)
 		TRY(check_inputs(batch, function, CHANNELS_STEP, NULL));
 	StepWork work = {dt, substeps, steps};
+	double begin = batch->timings && steps > 0 ? processor_milliseconds() : 0.0;
 	TRY(batch_note(batch, batch_each(batch, step_block, &work)));
+	if (batch->timings && steps > 0)
+		batch->milliseconds = processor_milliseconds() - begin;
 	warn_crowded(batch, function);
 	return SCREE_OK;
 }
@@ -238,7 +241,8 @@ scree_status api_batch_get_counters_sized(scree_batch* batch, scree_batch_counte
 		                            .contacts = rows[k].contacts,
 		                            .touching = rows[k].touching,
 		                            .penetration = rows[k].penetration,
-		                            .joint_gap = rows[k].joint_gap};
+		                            .joint_gap = rows[k].joint_gap,
+		                            .asleep_bodies = rows[k].asleep};
 		float unit = batch->templates[batch->template_of[k]].world->def.length_unit;
 		if (unit != 0.0f)
 		{
@@ -249,6 +253,24 @@ scree_status api_batch_get_counters_sized(scree_batch* batch, scree_batch_counte
 	}
 	scree_release(rows);
 	return status;
+}
+
+scree_status api_batch_get_timings_sized(scree_batch* batch, scree_timings* timings, size_t size)
+{
+	FLOAT_MODE_HERE;
+	const char* function = "scree_batch_get_timings";
+	TRY(batch_check(batch, function));
+	TRY(check_pointer(function, "timings", timings));
+	scree_timings now = {.step = (float)batch->milliseconds};
+	for (int k = 0; k < batch->block_count && batch->timings; ++k)
+	{
+		const double* times = batch->blocks[k].pipeline.stage_times;
+#define X(name) now.name += (float)times[STAGE_##name];
+#include "stages/stages.def"
+#undef X
+	}
+	write_result(timings, size, &now, sizeof now);
+	return SCREE_OK;
 }
 
 int scree_batch_get_worlds(const scree_batch* batch) { return batch ? batch->worlds : 0; }

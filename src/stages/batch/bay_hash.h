@@ -53,6 +53,9 @@ KERNEL(bay_counters)
 	counters.nonfinite = state.nonfinite;
 	counters.contacts = 0;
 	counters.touching = 0;
+	counters.asleep = 0;
+	for (int k = 0; k < bays->bodies; ++k)
+		counters.asleep += body_sleeps_on(p, bay_item(bays->worlds, at, k, bays->bodies));
 	for (int k = 0; k < 1 << bays->contact_bits; ++k)
 	{
 		int slot = bay_item(bays->worlds, at, k, 1 << bays->contact_bits), used = contact_in_use(p, slot);
