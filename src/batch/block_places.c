@@ -106,33 +106,23 @@ static void add_pending(Block* block, int row, bool resets)
 	block_pend(block, &pending);
 }
 
-// Returns the first row from `row` on whose byte is not 0; the number of worlds if there is none.
-static int next_masked(const Block* block, const uint8_t* mask, int row)
+// Lists the rows of the worlds whose byte is not 0 in Block.rows, and returns their number. Without branches: which worlds are reset
+// is random, so a processor would guess wrong for most of them. mask: null: all worlds.
+static int list_masked(Block* block, const uint8_t* mask)
 {
-	const uint8_t* bytes = mask + block->first;
-	if (block->order->world)
+	const int *order = block->order->world, worlds = block->worlds, first = block->first;
+	int *rows = block->rows, found = 0;
+	for (int row = 0; row < worlds; ++row)
 	{
-		while (row < block->worlds && !mask[block_world(block, row)])
-			++row;
-		return row;
+		rows[found] = row;
+		found += !mask || mask[order ? order[first + row] : first + row];
 	}
-	for (uint64_t word; row + 8 <= block->worlds; row += 8) // most worlds are not reset
-	{
-		memcpy(&word, bytes + row, sizeof word);
-		if (word != 0)
-			break;
-	}
-	while (row < block->worlds && !bytes[row])
-		++row;
-	return row;
+	return found;
 }
 
 scree_status block_restore(Block* block, const uint8_t* mask, int* count)
 {
-	int found = 0;
-	for (int row = mask ? next_masked(block, mask, 0) : 0; row < block->worlds;
-	     row = mask ? next_masked(block, mask, row + 1) : row + 1)
-		block->rows[found++] = row;
+	int found = list_masked(block, mask);
 	// a loop of its own: the processor loads the values of many worlds at once, which are in different cache lines
 	for (int k = 0, last = -1; k < found; ++k)
 	{
