@@ -40,10 +40,11 @@ INLINE void item_clear(const Pools* p, Per per, int i)
 #undef X
 }
 
-// Moves an item. All values are loaded before the first one is stored, so that a GPU waits once for all of them. The structs
-// are zero for the same reason as in item_clear.
+// Moves an item. In OpenCL all values are loaded before the first one is stored, so that a GPU waits once for all of them; the
+// structs are zero for the same reason as in item_clear.
 INLINE void item_move(const Pools* p, Per per, int to, int from)
 {
+#ifdef __OPENCL_C_VERSION__
 #define X(type, name, of, role)              \
 	struct                                   \
 	{                                        \
@@ -54,11 +55,16 @@ INLINE void item_move(const Pools* p, Per per, int to, int from)
 		name.value = p->name[from];
 #include "pools/pools.def"
 #undef X
+#define ITEM_VALUE(name) name.value
+#else
+#define ITEM_VALUE(name) p->name[from]
+#endif
 #define X(type, name, of, role)              \
 	if (per == PER_##of && role <= STANDING) \
-		p->name[to] = name.value;
+		p->name[to] = ITEM_VALUE(name);
 #include "pools/pools.def"
 #undef X
+#undef ITEM_VALUE
 }
 
 INLINE void item_fetch(const Pools* p, Per per, int i)
