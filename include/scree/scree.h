@@ -2552,14 +2552,14 @@ typedef enum scree_channel_kind // comments: the columns, with the units and ran
 	SCREE_INPUT_ANGULAR_IMPULSE, // body: angular impulse, N m s
 	SCREE_INPUT_VELOCITY,        // body: linear x, y, m/s; angular, rad/s
 	SCREE_INPUT_POSE,            // body: pose of its origin: x, y, m; cosine, sine
-	SCREE_INPUT_TARGET,          // kinematic body: pose at the end of the step (scree_bodies_set_targets)
-	SCREE_INPUT_MOTOR_SPEED,     // joint: speed of the motor of coordinate `which`, m/s or rad/s
-	SCREE_INPUT_MOTOR_MAX,       // joint: largest force or torque of this motor, N or N m, at least 0
-	SCREE_INPUT_JOINT_TARGET,    // joint: target of lock and spring of coordinate `which`, m or rad
+	SCREE_INPUT_TARGET,       // kinematic body: pose at the end of the step (scree_bodies_set_targets); only of steps
+	SCREE_INPUT_MOTOR_SPEED,  // joint: speed of the motor of coordinate `which`, m/s or rad/s
+	SCREE_INPUT_MOTOR_MAX,    // joint: largest force or torque of this motor, N or N m, at least 0
+	SCREE_INPUT_JOINT_TARGET, // joint: target of lock and spring of coordinate `which`, m or rad
 	// Parameters of worlds. They stay until they are set again, and are set before the other inputs, in this order. A value
 	// equal to the present one changes nothing.
 	SCREE_INPUT_GRAVITY,       // world: gravity x, y, m/s^2 (scree_batch_set_gravity)
-	SCREE_INPUT_MASS,          // dynamic body: mass, inertia, center of mass x, y (scree_body_set_mass)
+	SCREE_INPUT_MASS,          // dynamic body: mass, inertia, at most 2^40, center of mass x, y (scree_body_set_mass)
 	SCREE_INPUT_SURFACE,       // `collidable`: friction, restitution, rolling resistance, tangent speed (scree_surface)
 	SCREE_INPUT_ENABLED,       // body: 1 to enable it, 0 to disable it (scree_body_set_enabled)
 	SCREE_INPUT_JOINT_ENABLED, // joint: 1 to enable it, 0 to disable it (scree_joint_set_enabled)
@@ -2609,7 +2609,7 @@ static inline scree_channel scree_channel_make(scree_channel_kind kind);
 typedef enum scree_channels // lists of channels of a batch
 {
 	SCREE_STEP_INPUTS, // scree_batch_step reads them. Before the first step of a call all are applied; before each further
-	                   // one only forces and torques. Those of paused worlds are ignored
+	                   // one only forces and torques. Those of paused worlds have no effect, but must be in range too
 	SCREE_RESET_INPUTS, // scree_batch_reset reads them, and applies them to the worlds that it resets
 	SCREE_OUTPUTS,      // scree_batch_step and scree_batch_observe write them
 } scree_channels;

@@ -29,8 +29,11 @@ static void lay_out(Block* block, int templates, int* channels, int* groups, int
 {
 	*channels = *groups = 0;
 	*columns = 0;
-	for (int k = 0; k < CHANNEL_LISTS; ++k)
+	// outputs come first, so that they keep their places when inputs are bound
+	static const int order[CHANNEL_LISTS] = {CHANNELS_OUTPUTS, CHANNELS_STEP, CHANNELS_RESET};
+	for (int n = 0; n < CHANNEL_LISTS; ++n)
 	{
+		int k = order[n];
 		const ChannelSet* set = block->sets + k;
 		block->lists[k] = (ChannelList){.first = *channels,
 		                                .channels = set->count,
@@ -81,7 +84,8 @@ static scree_status write_list(Block* block, int which, int templates)
 		TRY(b->f->write(b, POOL_column, list->bounds, set->columns, set->least));
 		TRY(b->f->write(b, POOL_column, list->bounds + set->columns, set->columns, set->most));
 	}
-	return b->f->clear(b, POOL_column, list->column, block->worlds * set->columns);
+	bool same = which == CHANNELS_OUTPUTS && block->outputs == set->channels; // rows of paused worlds stay
+	return same ? SCREE_OK : b->f->clear(b, POOL_column, list->column, block->worlds * set->columns);
 }
 
 // Returns a number of rows, rounded up to a multiple of MAX_LANES.
@@ -130,6 +134,9 @@ scree_status block_bind(Block* block, const ChannelSet* sets, int templates)
 	QueryPlan plan = {.shape = {.count = 1}}; // settings of rays: those of a query by default
 	TRY(b->f->write(b, POOL_query_plan, 0, 1, &plan));
 	const ChannelSet* outputs = sets + CHANNELS_OUTPUTS;
+	if (block->outputs == outputs->channels)
+		return SCREE_OK;
+	block->outputs = outputs->channels;
 	Run run = groups_run(KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_BEGINS, p->live_bays, 0, outputs->joint_group);
 	return bays_run_all(p, &run, 1);
 }
@@ -142,7 +149,7 @@ static scree_status apply(Block* block, int which, int bits, int rows)
 	p->edited = true;
 	const Run runs[] = {groups_run(KERNEL_channel_input, which, bits, rows, 0, set->groups),
 	                    {KERNEL_channel_stir, 0, rows, NO_COUNT, RUN_PAIR(which | bits, rows)}};
-	return bays_run_all(p, runs, p->sleeps && set->groups > set->joint_group ? 2 : 1);
+	return bays_run_all(p, runs, p->sleeps && (set->groups > set->joint_group || (set->poses && p->paths)) ? 2 : 1);
 }
 
 // Returns the row of inputs of a world in metres. room: for MOST_COLUMNS values.

@@ -47,6 +47,7 @@ typedef struct
 	const ChannelSet* sets; // lists of channels of the batch, CHANNEL_LISTS of them; null before any was bound
 	ChannelList lists[CHANNEL_LISTS];
 	bool angles;              // outputs of joints are written in lanes
+	const Channel* outputs;   // channels of the outputs that the pools have
 	float* converted;         // room for rows of a list that are converted or gathered
 	scree_vec* gravity;       // m/s^2, for each world of the batch; null: that of the templates
 	BayGravity* gravity_rows; // room for one row per world, once worlds have had different gravity

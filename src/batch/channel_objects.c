@@ -5,6 +5,7 @@
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
 #include "world/objects/mass.h"
+#include "world/pool_values.h"
 #include "world/units/scale.h"
 #include "world/world.h"
 
@@ -74,7 +75,8 @@ scree_status channel_check(ChannelPlace at, const scree_channel* c, bool inputs)
 		return refuse(SCREE_ERROR_INVALID, place, ".kind", "is %d, not a kind of channel", (int)c->kind);
 	if (kinds[c->kind].input != inputs)
 		return refuse(SCREE_ERROR_INVALID, place, ".kind", inputs ? "is an output" : "is an input");
-	if (kinds[c->kind].of == OF_JOINT && c->kind != SCREE_OUTPUT_JOINT_FORCE && (int)c->which > SCREE_ANGLE)
+	if (kinds[c->kind].of == OF_JOINT && c->kind != SCREE_OUTPUT_JOINT_FORCE &&
+	    ((int)c->which < 0 || (int)c->which > SCREE_ANGLE))
 		return refuse(SCREE_ERROR_INVALID, place, ".which", "is %d, not a coordinate", (int)c->which);
 	if (kinds[c->kind].of == OF_WORLD)
 		TRY(check_no_object(place, c));
@@ -225,6 +227,8 @@ static scree_status find_joint(Channel* made, ChannelPlace at, const scree_chann
 scree_status channel_find(Channel* made, ChannelPlace at, const scree_channel* c, int ray, const scree_world* world)
 {
 	*made = (Channel){.kind = CHANNEL_KINDS, .other = -1};
+	made->missing = c->kind == SCREE_OUTPUT_RAYS ? 1 : channel_columns(c);
+	int missing = made->missing;
 	if (kinds[c->kind].of == OF_WORLD)
 		made->kind = (int)c->kind;
 	else if (kinds[c->kind].of == OF_JOINT)
@@ -235,6 +239,7 @@ scree_status channel_find(Channel* made, ChannelPlace at, const scree_channel* c
 		TRY(find_touch(made, at, c, world));
 	else
 		TRY(find_body(made, at, c, ray, world));
+	made->missing = missing;
 	made->category = c->category;
 	made->mask = c->mask;
 	return SCREE_OK;
@@ -292,7 +297,7 @@ static void parameter_range(ColumnRule* rule, scree_channel_kind kind, int k)
 	if (kind == SCREE_INPUT_MASS)
 	{
 		rule->least = k == 0 ? LEAST_MASS : k == 1 ? 0.0f : -SCREE_MAX_COORDINATE;
-		rule->most = k < 2 ? MOST_MASS : SCREE_MAX_COORDINATE;
+		rule->most = k < 2 ? HEAVY_MASS : SCREE_MAX_COORDINATE; // a heavier body would change bits of all worlds
 		rule->part = k == 1 ? PART_INERTIA : -1;
 	}
 	if (kind == SCREE_INPUT_SURFACE)

@@ -12,11 +12,11 @@
 
 typedef struct // a part of a channel of the user: the whole channel, or one ray of a fan
 {
-	int from;   // number of the channel
-	int ray;    // number of the ray
-	int column; // first column
-	int class;  // 0: body or collidable; 1: joint; 2: ray
-	uint32_t object;
+	int from;        // number of the channel
+	int ray;         // number of the ray
+	int column;      // first column
+	int class;       // 0: body or collidable; 1: joint; 2: ray
+	uint64_t object; // generation and index of the object
 } Part;
 
 static int compare_parts(const void* x, const void* y)
@@ -28,6 +28,9 @@ static int compare_parts(const void* x, const void* y)
 		return a->object < b->object ? -1 : 1;
 	return a->from != b->from ? a->from - b->from : a->ray - b->ray;
 }
+
+// Objects of several templates may have the same index and other generations; each is a group of its own.
+static uint64_t handle_bits(uint32_t index, uint32_t generation) { return (uint64_t)generation << 32 | index; }
 
 // Returns the number of parts that kernels process. Parameters are applied by the host.
 static int parts_of(const scree_channel* c) { return channel_is_parameter((int)c->kind) ? 0 : channel_parts(c); }
@@ -43,9 +46,10 @@ static void list_parts(Part* parts, const scree_channel* channels, int count)
 		for (int r = 0; r < parts_of(c); ++r, ++n)
 		{
 			parts[n] = (Part){.from = k, .ray = r, .column = column + r, .class = ray ? 2 : channel_of_joint(c->kind)};
-			parts[n].object = parts[n].class == 1 ? c->joint.index : c->body.index;
+			parts[n].object = parts[n].class == 1 ? handle_bits(c->joint.index, c->joint.generation)
+			                                      : handle_bits(c->body.index, c->body.generation);
 			if (ray || c->kind == SCREE_OUTPUT_TOUCH)
-				parts[n].object = UINT32_MAX / 2 + (uint32_t)n;
+				parts[n].object = UINT64_MAX / 2 + (uint64_t)n;
 		}
 		column += channel_columns(c);
 	}
@@ -91,6 +95,23 @@ static scree_status allocate(ChannelSet* set, const char* function, int parts, i
 }
 
 // Fails if no template has the object of channel k.
+// Fails if a joint has a length where that of another template has an angle, and lengths are converted.
+static scree_status check_power(const ChannelSet* set, ChannelPlace at, const scree_channel* c,
+                                const scree_world* world, int column)
+{
+	ColumnRule rules[4]; // those of a joint
+	if (set->unit == 0.0 || !channel_of_joint(c->kind))
+		return SCREE_OK;
+	channel_rules(rules, c, world);
+	if (rules[0].power == set->rules[column].power)
+		return SCREE_OK;
+	return fail(
+	    SCREE_ERROR_INVALID,
+	    "%s: channels[%d] has a joint of another type in template %d than before, and scree_world_def.length_unit "
+	    "is %s",
+	    at.function, at.channel, at.number, decimal((float)set->unit).text);
+}
+
 static scree_status find_objects(ChannelSet* set, const char* function, const Part* parts, int count,
                                  const scree_channel* channels, const Template* templates, int template_count)
 {
@@ -103,6 +124,8 @@ static scree_status find_objects(ChannelSet* set, const char* function, const Pa
 			ChannelPlace at = {function, parts[n].from, t};
 			TRY(channel_find(made, at, channels + parts[n].from, parts[n].ray, templates[t].world));
 			made->column = parts[n].column;
+			if (found && made->kind != CHANNEL_KINDS)
+				TRY(check_power(set, at, channels + parts[n].from, templates[t].world, parts[n].column));
 			found |= made->kind != CHANNEL_KINDS;
 			if (made->kind != CHANNEL_KINDS && parts[n].ray == 0)
 				channel_rules(set->rules + parts[n].column, channels + parts[n].from, templates[t].world);

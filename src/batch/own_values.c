@@ -137,7 +137,8 @@ static scree_status put_surface(scree_world* world, const char* function, int in
                                 const scree_attribute_def* core)
 {
 	HostCollidable* host = world->host_collidables + index;
-	if (!slots_in_use(&world->attribute_slots, own->attribute))
+	const Slots* slots = &world->attribute_slots;
+	if (own->attribute >= slots->used || !slots_in_use(slots, own->attribute))
 	{
 		scree_attribute_def def = *core;
 		def.friction = own->friction;

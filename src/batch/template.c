@@ -187,7 +187,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 
 bool template_fits(const Template* a, const Template* b)
 {
-	return tuning_equal(&a->request.tuning, &b->request.tuning);
+	return tuning_equal(&a->request.tuning, &b->request.tuning) && a->pipeline.heavy == b->pipeline.heavy;
 }
 
 BayState template_state(const Template* from)

@@ -130,6 +130,7 @@ INLINE void scatter_rows4(float* base, int index, const float in[4], int wanted)
 }
 #endif
 
+#define LOADS_WAIT 0
 #define LOCAL
 #define group_lane()  0
 #define group_width() LANES

@@ -144,6 +144,7 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 }
 #define bound_at(bound, k) ((bound).of[k])
 
+#define LOADS_WAIT    1 // a work-item waits for a load before a later store, which might be to the same place
 #define LOCAL         __local
 #define group_lane()  ((int)get_local_id(0))
 #define group_width() ((int)get_local_size(0))

@@ -43,7 +43,8 @@ typedef struct // 80 bytes: a channel of a template
 	int locks;  // locks of a body: 1: x; 2: y; 4: rotation
 	float lower, upper; // m or rad: range of the target of a joint
 	int bits;           // COMMAND_JOINED or 0, for inputs of a body
-	int unused[3];
+	int missing;        // number of columns that are 0 if the template lacks the object of an output
+	int unused[2];
 	Float4 place;          // m: point in the frame of the body (x, y); or start and path of a ray
 	Word64 category, mask; // filter of a ray
 } Channel;

@@ -45,6 +45,8 @@ static scree_status check_def(const char* function, const scree_batch_def* def)
 	TRY(check_device(at, ".device", def->device));
 	if (strcmp(def->device, "auto") == 0)
 		return refuse(SCREE_ERROR_INVALID, at, ".device", "is \"auto\", which worlds of a batch cannot have yet");
+	if (def->threads < 0 || def->threads > MAX_WORKERS)
+		return refuse(SCREE_ERROR_INVALID, at, ".threads", "is %d, must be from 0 to %d", def->threads, MAX_WORKERS);
 	if (def->contact_limit < 0 || def->contact_limit > MOST_BAY_ITEMS)
 		return refuse(SCREE_ERROR_INVALID, at, ".contact_limit", "is %d, must be from 0 to %d", def->contact_limit,
 		              MOST_BAY_ITEMS);

@@ -46,6 +46,9 @@ static scree_status open_set(scree_batch* batch, const char* function, scree_cha
 		scree_channel local;
 		if (status == SCREE_OK)
 			now[k] = *(const scree_channel*)definition_at(channels, k, &channel_definition, &local);
+		if (status == SCREE_OK && list == SCREE_RESET_INPUTS && now[k].kind == SCREE_INPUT_TARGET)
+			status = refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "channels", k}, ".kind",
+			                "is a target, which only a step can reach; bind it as SCREE_STEP_INPUTS");
 	}
 	if (status == SCREE_OK)
 		status =

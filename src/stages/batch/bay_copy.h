@@ -220,6 +220,8 @@ KERNEL(bay_count)
 	int edits = RUN_LOW(p->argument), live = RUN_HIGH(p->argument);
 	c->contacts = live << p->step.bays.contact_bits;
 	c->live = c->contacts;
+	if (c->gathered) // the search for contacts of new hubs covers the new slots too
+		c->gathered = c->contacts;
 	c->joints = edits & BAY_COUNT_JOINTS ? live << p->step.bays.joint_bits : 0;
 	if (edits & BAY_COUNT_SPOTS)
 		c->joint_moved = c->joints_copied = 1;

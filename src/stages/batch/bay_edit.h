@@ -26,10 +26,12 @@ INLINE void bay_surface(const Pools* p, int to, int shape, Float4 surface)
 	p->rule[to] = p->rule[shape];
 }
 
-// Ends the rest of all groups of a world that sleeps.
+// Ends the rest of all groups of a world that sleeps. No step visits the groups of a spare bay.
 INLINE void bay_touch(const Pools* p, int bay)
 {
 	const Bays* bays = &p->step.bays;
+	if (bay >= bays->worlds)
+		return;
 	int body = bay * bays->bodies, collidable = bay * bays->collidables;
 	for (int k = 0; k < bays->bodies; ++k)
 		active_touch(p, GROUPS_OF_BODIES, body + k);

@@ -37,7 +37,8 @@ INLINE Vec channel_point(Float4 origin, float x, float y)
 	return vec_add(vec(origin.x, origin.y), vec_turn(vec(origin.z, origin.w), vec(x, y)));
 }
 
-// Requests a search of the whole path for all joints of a body on paths, because the body was placed.
+// Requests a search of the whole path for all joints of a body on paths, because the body was placed. Then channel_stir stirs their
+// bodies.
 INLINE void channel_seek(const Pools* p, int bay, int body)
 {
 	int bits = p->step.bays.joint_bits;
@@ -46,7 +47,11 @@ INLINE void channel_seek(const Pools* p, int bay, int body)
 		const GLOBAL JointData* data = p->joint_data + slot;
 		if (p->joint_flags[slot] & JOINT_THERE && (int)data->modes & JOINT_RAILED &&
 		    (data->body_a == body || data->body_b == body))
+		{
 			joint_seek(p, slot);
+			if (p->step.sleep)
+				p->joint_flags[slot] |= JOINT_STIRS;
+		}
 	}
 }
 
@@ -88,7 +93,8 @@ INLINE Command channel_command(const Pools* p, const GLOBAL Channel* c, int body
 		break;
 	case CHANNEL_SET_VELOCITY:
 		command.kind = COMMAND_VELOCITY;
-		command.value = make_float4(v[0], v[1], c->locks & 4 ? 0.0f : v[2], 0.0f);
+		command.value =
+		    make_float4(c->locks & 1 ? 0.0f : v[0], c->locks & 2 ? 0.0f : v[1], c->locks & 4 ? 0.0f : v[2], 0.0f);
 		break;
 	case CHANNEL_SET_POSE:
 	case CHANNEL_SET_TARGET:

@@ -79,6 +79,13 @@ INLINE void channel_touch(const Pools* p, const GLOBAL Channel* c, int bay, GLOB
 	to[2] = flush_tiny(sum);
 }
 
+// Writes zeros to an output whose object the template lacks; another template of the world may have left other values.
+INLINE void channel_nothing(const GLOBAL Channel* c, GLOBAL float* to)
+{
+	for (int k = 0; k < c->missing; ++k)
+		to[k] = 0.0f;
+}
+
 // Writes a value of a world.
 INLINE void channel_world(const Pools* p, int kind, int bay, GLOBAL float* to)
 {
@@ -103,6 +110,9 @@ KERNEL(channel_body)
 			continue;
 		switch (c->kind)
 		{
+		case CHANNEL_KINDS:
+			channel_nothing(c, to);
+			break;
 		case CHANNEL_GET_POSE:
 			channel_write4(to, reported_origin(p, first + c->item));
 			break;
@@ -160,7 +170,11 @@ KERNEL(channel_joint)
 	const GLOBAL Channel* channels = at.channels;
 	int slot = (at.bay << p->step.bays.joint_bits) + channels[at.first].item, forces = 0, others = 0;
 	if (channels[at.first].kind == CHANNEL_KINDS)
+	{
+		for (int k = at.first; k < at.end; ++k)
+			channel_nothing(channels + k, at.row + channels[k].column);
 		return;
+	}
 	for (int k = at.first; k < at.end; ++k)
 	{
 		forces |= channels[k].kind == CHANNEL_GET_JOINT_FORCE;
@@ -198,7 +212,10 @@ KERNEL(channel_ray)
 	int body = c->item > 0 ? at.bay * bays->bodies + c->item : -1;
 	Float4 origin = body >= 0 ? reported_origin(p, body) : make_float4(0.0f, 0.0f, 1.0f, 0.0f);
 	if (c->kind == CHANNEL_KINDS)
+	{
+		channel_nothing(c, at.row + c->column);
 		return;
+	}
 	WorldQuery asked;
 	asked.start = vec_flush_tiny(channel_point(origin, c->place.x, c->place.y));
 	asked.path = vec_flush_tiny(vec_turn(vec(origin.z, origin.w), vec(c->place.z, c->place.w)));
@@ -211,7 +228,7 @@ KERNEL(channel_ray)
 	for (int k = at.bay * bays->collidables; k < (at.bay + 1) * bays->collidables; ++k)
 	{
 		int kind = p->collidable_kind[k], of = p->collidable_body[k];
-		if (kind == KIND_DEAD || kind & KIND_SENSOR || (body >= 0 && of == body))
+		if (kind == KIND_DEAD || kind & KIND_SENSOR || of < 0 || of == body)
 			continue;
 		Filter filter = p->filter[k];
 		if (!((c->mask & filter.category) && (c->category & filter.mask)))

@@ -40,11 +40,11 @@ INLINE void item_clear(const Pools* p, Per per, int i)
 #undef X
 }
 
-// Moves an item. In OpenCL all values are loaded before the first one is stored, so that a GPU waits once for all of them; the
+// Moves an item. With LOADS_WAIT all values are loaded before the first one is stored, so that a GPU waits once for all of them; the
 // structs are zero for the same reason as in item_clear.
 INLINE void item_move(const Pools* p, Per per, int to, int from)
 {
-#ifdef __OPENCL_C_VERSION__
+#if LOADS_WAIT
 #define X(type, name, of, role)              \
 	struct                                   \
 	{                                        \

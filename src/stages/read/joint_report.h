@@ -11,6 +11,15 @@ INLINE int joint_report_place(const Pools* p, int i)
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
 }
 
+// 1/s: Returns the substeps per second of the last step of joint i's world.
+INLINE float joint_rate(const Pools* p, int i)
+{
+	if (!BATCHED(p))
+		return p->step.inv_h;
+	float substep = p->bay_state[i >> p->step.bays.joint_bits].substep;
+	return substep > 0.0f ? quotient(1.0f, substep) : 0.0f;
+}
+
 // Computes force (N) and torque (N m) of a joint from its impulses in the last substep. A joint without a constraint
 // keeps force and torque 0, unless its bodies sleep. axis: direction of the first coordinate. off: deviation of the
 // first two coordinates from the targets of their locks. bend, 1/m: curvature of a path.
@@ -20,7 +29,7 @@ INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec o
 	if (place < 0 && !asleep)
 		return;
 	Joint u;
-	float sum[JOINT_COORDINATES], rate = p->step.inv_h;
+	float sum[JOINT_COORDINATES], rate = joint_rate(p, i);
 	if (!asleep)
 		joint_load(p, place, PASS_RELAX, &u);
 
