@@ -11,8 +11,8 @@
 
 BatchDrive batch_drive_make(const Options* options)
 {
-	int64_t part = options->parts > 0 ? options->part - 1 : 0, parts = options->parts > 0 ? options->parts : 1;
-	int64_t first = options->worlds * part / parts, end = options->worlds * (part + 1) / parts;
+	int64_t part = options->part, parts = options->parts;
+	int64_t first = options->worlds * (part - 1) / parts, end = options->worlds * part / parts;
 	return (BatchDrive){.options = options, .first = (int)first, .worlds = (int)(end - first)};
 }
 

@@ -19,7 +19,7 @@ typedef struct
 	scree_batch* batch; // not owned
 } BatchDrive;
 
-// Returns the part of the worlds that the options select.
+// Returns the part of the worlds that the options select; Options.parts is at least 1.
 BatchDrive batch_drive_make(const Options* options);
 
 // Returns whether a world, a number among all worlds, is never reset and keeps the inputs of the scene: the first and the last one.

@@ -181,9 +181,8 @@ static void print_row(Run* run, const char* settings, bool valid)
 	snprintf(device, sizeof device, "%s", options->device);
 	csv_cell(device);
 	printf("%s,%s,%s", run->scene->name, settings, device);
-	printf(",%d,%d,%d,%d/%d,%g,%d,%d", cpu ? run->threads : 0, cpu ? run->lanes : 0, options->worlds,
-	       options->parts > 0 ? options->part : 1, options->parts > 0 ? options->parts : 1, (double)options->resets,
-	       options->inputs, run->drive.columns);
+	printf(",%d,%d,%d,%d/%d,%g,%d,%d", cpu ? run->threads : 0, cpu ? run->lanes : 0, options->worlds, options->part,
+	       options->parts, (double)options->resets, options->inputs, run->drive.columns);
 	printf(",%d,%d,%.2f,%.4f,%.4f,%.4f,%.0f", run->scene->body_count, run->steps, 1e3 * run->create,
 	       1e3 * median_of(run->times, run->count), 1e3 * run->least, 1e3 * run->most,
 	       (double)run->drive.worlds * run->count / total);
@@ -216,6 +215,8 @@ static int open_template(const Options* options, const Scene* scene, ScenePlayer
 static int measure(const Options* given, const Scene* scene, const Known* known, bool* invalid)
 {
 	Options changed = batch_options(given), *options = &changed;
+	if (options->parts == 0)
+		options->part = options->parts = 1;
 	Run run = {
 	    .options = options, .scene = scene, .drive = batch_drive_make(options), .steps = options_steps(options, scene)};
 	ScenePlayer player = {0};

@@ -227,8 +227,6 @@ static scree_status find_joint(Channel* made, ChannelPlace at, const scree_chann
 scree_status channel_find(Channel* made, ChannelPlace at, const scree_channel* c, int ray, const scree_world* world)
 {
 	*made = (Channel){.kind = CHANNEL_KINDS, .other = -1};
-	made->missing = c->kind == SCREE_OUTPUT_RAYS ? 1 : channel_columns(c);
-	int missing = made->missing;
 	if (kinds[c->kind].of == OF_WORLD)
 		made->kind = (int)c->kind;
 	else if (kinds[c->kind].of == OF_JOINT)
@@ -239,7 +237,7 @@ scree_status channel_find(Channel* made, ChannelPlace at, const scree_channel* c
 		TRY(find_touch(made, at, c, world));
 	else
 		TRY(find_body(made, at, c, ray, world));
-	made->missing = missing;
+	made->missing = c->kind == SCREE_OUTPUT_RAYS ? 1 : channel_columns(c);
 	made->category = c->category;
 	made->mask = c->mask;
 	return SCREE_OK;

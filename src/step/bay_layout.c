@@ -43,8 +43,8 @@ static scree_status run_one(Pipeline* pipeline, const Step* step, int kernel, in
 
 scree_status bays_run(Pipeline* pipeline, int kernel, int begin, int end, int argument)
 {
-	Step step = step_between(pipeline);
-	return run_one(pipeline, &step, kernel, begin, end, argument);
+	Run run = {.kernel_id = kernel, .begin = begin, .end = end, .count = NO_COUNT, .argument = argument};
+	return bays_run_all(pipeline, &run, 1);
 }
 
 // Reserves items of a kind for all bays, with one more, which scans need.

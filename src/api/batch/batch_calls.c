@@ -119,10 +119,7 @@ static scree_status check_inputs(scree_batch* batch, const char* function, int l
 {
 	InputCheck check = {function, batch->sets + list, mask};
 	if (check.set->shared)
-	{
-		scree_status status = block_check_shared(batch->blocks, function);
-		return status == SCREE_ERROR_DEVICE_FAILED ? batch_note(batch, status) : status;
-	}
+		return batch_note_device(batch, block_check_shared(batch->blocks, function));
 	return check.set->columns > 0 ? batch_each(batch, check_block, &check) : SCREE_OK;
 }
 

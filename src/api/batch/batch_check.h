@@ -22,4 +22,10 @@ static inline scree_status batch_note(scree_batch* batch, scree_status status)
 	return status;
 }
 
+// The same for a call that changes nothing if it is refused: only a failure of the device breaks the batch.
+static inline scree_status batch_note_device(scree_batch* batch, scree_status status)
+{
+	return status == SCREE_ERROR_DEVICE_FAILED ? batch_note(batch, status) : status;
+}
+
 #endif

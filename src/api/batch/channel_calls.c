@@ -148,8 +148,7 @@ scree_status api_batch_share_rows(scree_batch* batch, scree_channels list, int f
 		return fail(SCREE_ERROR_INVALID, "%s: file_descriptor is %d, must not be negative", function, file_descriptor);
 	TRY(check_share(batch, function, list, bytes));
 	SharedMemory memory = {.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes};
-	scree_status status = share(batch, list, &memory);
-	TRY(status == SCREE_ERROR_DEVICE_FAILED ? batch_note(batch, status) : status);
+	TRY(batch_note_device(batch, share(batch, list, &memory)));
 	channel_rows_close(batch->sets + list);
 	batch->sets[list].shared = true;
 	return SCREE_OK;
