@@ -115,7 +115,7 @@ static const Saved saved[] = {
     {"branch_pivot", true},   {"tiny_gap", true},           {"tiny_share", true},       {"moved_anchor", false},
     {"woken_gap", false},     {"destroyed_sleeper", false}, {"pressed_sleeper", false}, {"joined_sleepers", false},
     {"moved_frames", false},  {"one_way_sleepers", false},  {"sleep_lengths", false},   {"tiny_threshold", true},
-    {"changed_shape", false}, {"belts_grow", false},
+    {"changed_shape", false}, {"belts_grow", false},        {"paused_taut", false},
 };
 
 // Runs saved programs with several choices of reads, or with flushed denormals.

@@ -101,6 +101,8 @@ KERNEL(bay_begin)
 	state->taut_seen = state->taut;
 	if (state->taut)
 		raise_int(&p->counters->taut, 1);
+	if (state->taut_used)
+		state->taut = 0; // the warm starts of this step set it again
 	bay_set_ratio(p, state);
 	state->substep = p->step.h;
 }

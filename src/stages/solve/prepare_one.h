@@ -36,13 +36,11 @@ KERNEL(body_taut)
 	float pull = body->da, own = body->inv_inertia;
 	body->da = 0.0f;
 	p->own_inertia[i] = own;
-	int wanted = !BATCHED(p) || bay_state_of(p, i)->taut_used;
-	if (wanted && own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
+	int used = !BATCHED(p) || bay_state_of(p, i)->taut_used;
+	if (used && own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
 		body->inv_inertia = quotient(1.0f, minimum(pull, MOST_INERTIA));
 	if (i == 0)
 		p->counters->taut = 0; // the warm starts of this step set it again
-	if (BATCHED(p) && wanted && bay_body(p, i) == 0)
-		bay_state_of(p, i)->taut = 0;
 }
 
 // Restores the inertia of a body after the step.
