@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// test_batch_targets.c -- checks worlds of a batch whose templates have pending targets of kinematic bodies.
+// test_batch_targets.c -- checks worlds of a batch whose templates have pending targets, or masses for which chains end or begin.
 //
-// Formula: hash(world in a batch, age) = hash(same world alone, age), also before the first step, to which the targets belong;
+// Formula: hash(world in a batch, age) = hash(same world alone, age), also before the first step, to which these changes belong;
 // after resets, pauses, inputs that replace targets, and states that are loaded or taken out.
 #include "support/batch_run.h"
 #include "support/make_joints.h"
@@ -47,27 +47,99 @@ static void check_world(scree_batch* batch, int k, scree_world* alone, const cha
 		fail_msg("%s: world %d differs from the world alone", name, k);
 }
 
-static void worlds_are_equal(void** state)
+// Opens a world with a chain of links from the ground, which ends in its next step, and one that begins in it.
+static scree_world* open_chains(int steps)
 {
-	(void)state;
+	scree_world* world = open_awake(-10.0f);
+	scree_body links[2][5];
+	for (int chain = 0; chain < 2; ++chain)
+	{
+		scree_body before = SCREE_NULL_BODY;
+		for (int k = 0; k < 5; ++k)
+		{
+			float x = (float)k + 20.0f * (float)chain;
+			links[chain][k] = add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.3f, x, 0.0f);
+			join(world, SCREE_JOINT_REVOLUTE, before, links[chain][k], x - 0.5f, 0.0f);
+			before = links[chain][k];
+		}
+	}
+	OK(scree_body_set_mass(world, links[0][4], (scree_mass){500.0f, 50.0f, {0.0f, 0.0f}}));
+	for (int step = 0; step < steps; ++step)
+		OK(scree_world_step(world, STEP, SUBSTEPS));
+	OK(scree_body_set_mass(world, links[0][4], (scree_mass){1.0f, 0.1f, {0.0f, 0.0f}}));
+	OK(scree_body_set_mass(world, links[1][4], (scree_mass){500.0f, 50.0f, {0.0f, 0.0f}}));
+	return world;
+}
+
+// Compares worlds of 5 templates with worlds alone, at several places. open: opens template k.
+static void check_templates(scree_world* (*open)(int k), const char* name)
+{
 	const Place places[] = {{"cpu", MOST_WORLDS, 1, 1}, {"cpu", 25, 2, 4}, {"cpu", 9, 1, 0}, {second_device, 11, 0, 0}};
 	for (size_t k = 0; k < sizeof places / sizeof *places; ++k)
 	{
 		Templates t = {.count = 5, .dt = STEP, .substeps = SUBSTEPS};
 		if (!places[k].device[0])
 			continue;
-		t.worlds[0] = open_lifts(0, 7);
-		t.worlds[1] = open_lifts(0, 0);
-		t.worlds[2] = open_lifts(20, 3);
-		t.worlds[3] = open_lifts(5, 2);
-		t.worlds[4] = falling_boxes(5);
+		for (int n = 0; n < t.count; ++n)
+			t.worlds[n] = open(n);
 		BatchRun r = {.t = &t, .worlds = places[k].worlds};
 		random_state = (uint32_t)(k + 1);
 		r.batch = open_batch(&t, places + k, r.template_of);
 		record_alone(&t);
-		run_at_random(&r, k == 3 ? 20 : 100, "targets");
+		run_at_random(&r, k == 3 ? 20 : 100, name);
 		close_templates(&t);
 	}
+	assert_int_equal(scree_memory(), 0);
+}
+
+static scree_world* open_lift(int k)
+{
+	static const int steps[] = {0, 0, 20, 5, 5}, targets[] = {7, 0, 3, 2, 0};
+	return k < 4 ? open_lifts(steps[k], targets[k]) : falling_boxes(5);
+}
+
+static scree_world* open_chain(int k)
+{
+	static const int steps[] = {0, 1, 20, 3, 5};
+	return k < 4 ? open_chains(steps[k]) : falling_boxes(5);
+}
+
+static void worlds_are_equal(void** state)
+{
+	(void)state;
+	check_templates(open_lift, "targets");
+	check_templates(open_chain, "chains");
+}
+
+// A batch, or a world of it, that is made from a world leaves the world as it is.
+static void worlds_stay(void** state)
+{
+	(void)state;
+	scree_world *world = open_chain(2), *other = open_chain(3), *alone[2] = {clone_of(world), clone_of(other)};
+	uint64_t hash = hash_of(world);
+	scree_batch* batch = open_copies(world, 2);
+	check_world(batch, 1, world, "new batch");
+	assert_true(hash_of(world) == hash);
+	OK(scree_batch_step(batch, STEP, SUBSTEPS, 1));
+	hash = hash_of(other);
+	OK(scree_batch_insert(batch, 1, other));
+	check_world(batch, 1, other, "inserted world");
+	assert_true(hash_of(other) == hash);
+	scree_body bodies[10];
+	int count;
+	OK(scree_world_get_bodies(world, bodies, 10, &count));
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_world* given = k == 0 ? world : other;
+		OK(scree_body_set_mass(given, bodies[4], (scree_mass){500.0f, 50.0f, {0.0f, 0.0f}}));
+		OK(scree_body_set_mass(alone[k], bodies[4], (scree_mass){500.0f, 50.0f, {0.0f, 0.0f}}));
+		OK(scree_world_step(given, STEP, SUBSTEPS));
+		OK(scree_world_step(alone[k], STEP, SUBSTEPS));
+		assert_true(hash_of(given) == hash_of(alone[k]));
+		scree_world_destroy(given);
+		scree_world_destroy(alone[k]);
+	}
+	scree_batch_destroy(batch);
 	assert_int_equal(scree_memory(), 0);
 }
 
@@ -146,6 +218,49 @@ static void inputs_replace_targets(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
+// A target among the inputs has no effect in a step with dt 0, or on a disabled body, and a later velocity of the list cancels it.
+static void targets_need_motion(void** state)
+{
+	(void)state;
+	static const float lengths[] = {0.0f, STEP, 0.0f, STEP};
+	const float row[] = {0.0f, 0.1f, 0.02f, 1.0f, 0.0f, 0.0f, 0.5f, 0.0f};
+	for (int cancels = 0; cancels < 2; ++cancels)
+	{
+		scree_world *world = open_lifts(3, 3), *alone[2] = {clone_of(world), clone_of(world)};
+		scree_batch* batch = open_copies(world, 2);
+		scree_channel inputs[3] = {scree_channel_make(SCREE_INPUT_ENABLED), scree_channel_make(SCREE_INPUT_TARGET),
+		                           scree_channel_make(SCREE_INPUT_VELOCITY)};
+		for (int k = 0; k < 3; ++k)
+			inputs[k].body = lifts[0];
+		OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, inputs, 2 + cancels, NULL));
+		float* rows = scree_batch_get_rows(batch, SCREE_STEP_INPUTS);
+		for (int k = 0; k < 4; ++k)
+		{
+			for (int world_number = 0; world_number < 2; ++world_number)
+			{
+				memcpy(rows + world_number * (5 + 3 * cancels), row, sizeof(float) * (size_t)(5 + 3 * cancels));
+				rows[world_number * (5 + 3 * cancels)] = (float)world_number;
+				OK(scree_body_set_enabled(alone[world_number], lifts[0], world_number == 1));
+			}
+			if (lengths[k] > 0.0f)
+				OK(scree_body_set_target(alone[1], lifts[0], pose_at(0.1f, 0.02f, 0.0f)));
+			for (int n = 0; n < 2 && cancels; ++n)
+				OK(scree_body_set_velocity(alone[n], lifts[0], (scree_velocity){{0.0f, 0.5f}, 0.0f}));
+			OK(scree_batch_step(batch, lengths[k], SUBSTEPS, 1));
+			for (int n = 0; n < 2; ++n)
+			{
+				OK(scree_world_step(alone[n], lengths[k], SUBSTEPS));
+				check_world(batch, n, alone[n], cancels ? "a cancelled target" : "a target that is not reached");
+			}
+		}
+		scree_batch_destroy(batch);
+		for (int n = 0; n < 2; ++n)
+			scree_world_destroy(alone[n]);
+		scree_world_destroy(world);
+	}
+	assert_int_equal(scree_memory(), 0);
+}
+
 // States with targets that the template lacks are refused, and so are more targets than a set has bits.
 static void other_targets_are_refused(void** state)
 {
@@ -200,8 +315,10 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(worlds_are_equal),
+	    cmocka_unit_test(worlds_stay),
 	    cmocka_unit_test(targets_stay_without_motion),
 	    cmocka_unit_test(inputs_replace_targets),
+	    cmocka_unit_test(targets_need_motion),
 	    cmocka_unit_test(other_targets_are_refused),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);

@@ -2552,7 +2552,9 @@ typedef enum scree_channel_kind // comments: the columns, with the units and ran
 	SCREE_INPUT_ANGULAR_IMPULSE, // body: angular impulse, N m s
 	SCREE_INPUT_VELOCITY,        // body: linear x, y, m/s; angular, rad/s
 	SCREE_INPUT_POSE,            // body: pose of its origin: x, y, m; cosine, sine
-	SCREE_INPUT_TARGET,       // kinematic body: pose at the end of the step (scree_bodies_set_targets); only of steps
+	// Kinematic body: pose at the end of the step (scree_bodies_set_targets). It acts in steps with dt above 0 while the body is
+	// enabled; others do not keep it for later, and leave a target of the template as it is. Inputs of resets have none.
+	SCREE_INPUT_TARGET,
 	SCREE_INPUT_MOTOR_SPEED,  // joint: speed of the motor of coordinate `which`, m/s or rad/s
 	SCREE_INPUT_MOTOR_MAX,    // joint: largest force or torque of this motor, N or N m, at least 0
 	SCREE_INPUT_JOINT_TARGET, // joint: target of lock and spring of coordinate `which`, m or rad

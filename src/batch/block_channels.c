@@ -252,7 +252,7 @@ scree_status block_apply_again(Block* block)
 void block_aim(Block* block, bool first)
 {
 	int live = block->pipeline.live_bays;
-	bool aims = first && block->sets && block->sets[CHANNELS_STEP].aims;
+	bool aims = first && block->request.dt > 0.0f && block->sets && block->sets[CHANNELS_STEP].aims;
 	block->request.targets = aims ? block->sets[CHANNELS_STEP].joint_group * live : 0;
 	block->request.aims = RUN_PAIR(CHANNELS_STEP, live);
 }

@@ -169,7 +169,7 @@ scree_status block_own_take(Block* block, int row, const char* values)
 	size_t bytes = own_size(from);
 	const char* taken = values ? values : from->own;
 	bool other = memcmp(taken, from->own, bytes) != 0;
-	if (!block->own && !other)
+	if (!block->own && !other && !from->restarts)
 		return SCREE_OK;
 	if (!block->own)
 		TRY(block_own_open(block));
@@ -187,6 +187,8 @@ scree_status block_own_take(Block* block, int row, const char* values)
 		block->chains_stale |= own->chains[row] != NULL;
 		own_chains_leave(&own->list, own->chains[row]);
 		own->chains[row] = NULL;
+		if (from->restarts)
+			block_own_request(block, row);
 		return SCREE_OK;
 	}
 	Change c = {.block = block, .row = row, .bay = block->bay_of[row], .from = from, .now = own_of(from, to)};

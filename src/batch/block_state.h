@@ -57,6 +57,7 @@ typedef struct
 	float gravity_dt;         // s: length of the step for which the rows were computed
 	int gravity_substeps;     // and its number of substeps
 	struct BlockOwn* own;     // own values of the worlds; null: all have those of their templates
+	bool restarts;            // Template.restarts of some template
 	bool chains_stale;        // the chains of some world have changed since they were written
 } Block;
 

@@ -26,34 +26,43 @@ void block_targets_close(Block* block)
 	scree_release(block->target_commands);
 }
 
-// Returns the targets of a template that inputs of a list replace: those of bodies with a target or a velocity.
-static uint64_t replaced(const Block* block, int list, const Template* from)
+// Returns the bit of a body among the targets of a template, or 0.
+static uint64_t target_bit(const TemplateTargets* targets, int body)
 {
+	for (int k = 0; k < targets->count; ++k)
+		if (targets->items[k].command.index == body)
+			return (uint64_t)1 << k;
+	return 0;
+}
+
+// Returns the targets of a world's template that inputs of a list replace: velocities, and targets that the step reaches.
+static uint64_t replaced(const Block* block, int list, int row)
+{
+	const Template* from = block_template(block, row);
 	uint64_t set = 0;
 	if (!block->sets || block->sets[list].count == 0)
 		return 0;
 	const ChannelSet* inputs = block->sets + list;
 	const Channel* channels = inputs->channels + (from - block->templates) * inputs->count;
+	Own own = own_of(from, block_own_values(block, row));
 	for (int c = 0; c < inputs->count; ++c)
-		for (int k = 0; k < from->targets.count; ++k)
-			if ((channels[c].kind == CHANNEL_SET_TARGET || channels[c].kind == CHANNEL_SET_VELOCITY) &&
-			    channels[c].item == from->targets.items[k].command.index)
-				set |= (uint64_t)1 << k;
+		if (channels[c].kind == CHANNEL_SET_VELOCITY ||
+		    (channels[c].kind == CHANNEL_SET_TARGET && block->request.dt > 0.0f && !own.body[channels[c].item].disabled))
+			set |= target_bit(&from->targets, channels[c].item);
 	return set;
 }
 
 void block_targets_begin(Block* block, int row)
 {
-	const Template* from = block_template(block, row);
 	if (block->targets)
-		block->targets[row] = targets_all(&from->targets) & ~replaced(block, CHANNELS_RESET, from);
+		block->targets[row] = targets_all(&block_template(block, row)->targets) & ~replaced(block, CHANNELS_RESET, row);
 }
 
 void block_targets_replace(Block* block)
 {
 	for (int row = 0; block->targets && row < block->worlds; ++row)
 		if (block->targets[row] != 0 && block_runs(block, row))
-			block->targets[row] &= ~replaced(block, CHANNELS_STEP, block_template(block, row));
+			block->targets[row] &= ~replaced(block, CHANNELS_STEP, row);
 }
 
 uint64_t block_targets_of(const Block* block, int row) { return block->targets ? block->targets[row] : 0; }

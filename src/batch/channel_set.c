@@ -94,7 +94,6 @@ static scree_status allocate(ChannelSet* set, const char* function, int parts, i
 	return SCREE_OK;
 }
 
-// Fails if no template has the object of channel k.
 // Fails if a joint has a length where that of another template has an angle, and lengths are converted.
 static scree_status check_power(const ChannelSet* set, ChannelPlace at, const scree_channel* c,
                                 const scree_world* world, int column)
@@ -110,6 +109,16 @@ static scree_status check_power(const ChannelSet* set, ChannelPlace at, const sc
 	    "%s: channels[%d] has a joint of another type in template %d than before, and scree_world_def.length_unit "
 	    "is %s",
 	    at.function, at.channel, at.number, decimal((float)set->unit).text);
+}
+
+// Leaves out targets of a template's bodies that a later velocity of the list cancels, or a later target replaces.
+static void cancel_targets(Channel* made, int count)
+{
+	for (int n = 0; n < count; ++n)
+		for (int later = n + 1; later < count && made[n].kind == CHANNEL_SET_TARGET; ++later)
+			if ((made[later].kind == CHANNEL_SET_VELOCITY || made[later].kind == CHANNEL_SET_TARGET) &&
+			    made[later].item == made[n].item)
+				made[n].kind = CHANNEL_KINDS;
 }
 
 static scree_status find_objects(ChannelSet* set, const char* function, const Part* parts, int count,
@@ -134,6 +143,8 @@ static scree_status find_objects(ChannelSet* set, const char* function, const Pa
 			return fail(SCREE_ERROR_STALE, "%s: channels[%d] has an object that no template has", function,
 			            parts[n].from);
 	}
+	for (int t = 0; t < template_count && set->aims; ++t)
+		cancel_targets(set->channels + t * count, count);
 	return SCREE_OK;
 }
 

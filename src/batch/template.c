@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // template.c -- reads a world as the template of worlds of a batch, into host memory.
 #include "batch/template.h"
+#include "batch/own_chains.h"
+#include "batch/own_host.h"
 #include "constraints/constraint_kinds.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
@@ -150,10 +152,24 @@ static void read_settings(const scree_world* world, Template* made)
 	                              .hit_impulse = world->def.hit_impulse};
 }
 
+// Notes whether the first step of a world ends or begins chains, because the user changed masses since the last step.
+static scree_status find_restarts(Template* made, const char* function)
+{
+	uint8_t* chained = scree_allocate((size_t)made->joints + 1);
+	if (!chained)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d joints of a template", function, made->joints);
+	own_chains_mark(&made->chains, chained, 1);
+	Own own = own_of(made, made->own);
+	for (int k = 0; k < made->joints; ++k)
+		made->restarts |= (chained[k] != 0) != ((own.joint[k] & OWN_JOINT_CHAINED) != 0);
+	scree_release(chained);
+	return SCREE_OK;
+}
+
 scree_status template_read(scree_world* world, const char* function, int number, Template* made)
 {
 	*made = (Template){.bodies = 0};
-	TRY(world_upload_to_step(world));
+	TRY(world_upload(world)); // without new chains, which the next step finds, so that the world stays as it is
 	TRY(check_template(world, function, number));
 	scree_world_def def = scree_world_def_default();
 	def.device = "cpu";
@@ -182,7 +198,8 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	TRY(read_pools(world, function, made));
 	TRY(read_fields(world, function, made));
 	leave_places(made);
-	return chains_find(world, &made->chains, &made->chain_memory);
+	TRY(chains_find(world, &made->chains, &made->chain_memory));
+	return find_restarts(made, function);
 }
 
 bool template_fits(const Template* a, const Template* b)

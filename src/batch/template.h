@@ -23,6 +23,7 @@ typedef struct
 	OwnRules own_rules;
 	ChainSearch chains; // chains and branches
 	char* chain_memory;
+	bool restarts;   // the first step of a world finds other chains than its last one
 	int* kinematics; // indices of the kinematic bodies
 	VisitBits visits;
 	TemplateTargets targets; // pending targets

@@ -106,6 +106,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 			continue;
 		add_flags(p, &templates[t].pipeline);
 		p->bay_joints |= templates[t].joints > 0;
+		block->restarts |= templates[t].restarts;
 		block->request.details |= templates[t].request.details;
 		block->request.reports |= templates[t].request.reports;
 		block->request.sleep |= templates[t].request.sleep;
@@ -137,7 +138,7 @@ void block_close(Block* block)
 // Gives the worlds of the first rows of the block the own values of their templates.
 static scree_status restore_own(Block* block, int count)
 {
-	for (int k = 0; k < count && block->own; ++k)
+	for (int k = 0; k < count && (block->own || block->restarts); ++k)
 		TRY(block_own_take(block, block->rows[k], NULL));
 	return block_own_send(block);
 }
