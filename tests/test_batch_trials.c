@@ -372,6 +372,32 @@ static void rows_stay_and_rays_pass(void** state)
 	scree_world_destroy(world);
 }
 
+// A surface is set, a step is made, and it is set again before the world is inserted: its first attribute is gone.
+static void surfaces_change_twice(void** state)
+{
+	(void)state;
+	scree_world* world = open_cpu(false);
+	scree_body floor = box(world, SCREE_BODY_STATIC, 0.0f, -1.0f, 1.0f);
+	box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f);
+	OK(scree_world_step(world, STEP, 4));
+	scree_batch* batch = open_batch(&world, 1, 2);
+	scree_world* changed = clone_of(world);
+	scree_surface surface = scree_surface_default();
+	for (int k = 0; k < 3; ++k)
+	{
+		surface.friction = 0.1f + 0.1f * (float)k;
+		OK(scree_collidable_set_surface(changed, collidable_of(changed, floor), &surface));
+		OK(scree_batch_insert(batch, k % 2, changed));
+		equal(batch, k % 2, changed);
+		OK(scree_batch_step(batch, STEP, 4, 1));
+		OK(scree_world_step(changed, STEP, 4));
+		equal(batch, k % 2, changed);
+	}
+	scree_batch_destroy(batch);
+	scree_world_destroy(changed);
+	scree_world_destroy(world);
+}
+
 static void refusals(void** state)
 {
 	(void)state;
@@ -429,6 +455,7 @@ int main(void)
 	    cmocka_unit_test(paths_stir_both_bodies),
 	    cmocka_unit_test(joints_of_two_templates),
 	    cmocka_unit_test(rows_stay_and_rays_pass),
+	    cmocka_unit_test(surfaces_change_twice),
 	    cmocka_unit_test(refusals),
 	};
 	int failures = 0;

@@ -136,6 +136,14 @@ static void leave_places(Template* made)
 #undef CONSTRAINT_KIND
 }
 
+// Gives the shapes of collidables in the world their present attributes, as an input does (bay_share): an attribute that has been
+// replaced since the last step may not exist in a batch.
+static void place_attributes(Template* made)
+{
+	for (int k = 0; k < made->collidables; ++k)
+		made->image.world_shape[k].attribute = made->image.collidable_attribute[k];
+}
+
 static void read_settings(const scree_world* world, Template* made)
 {
 	made->request = (StepRequest){.gravity = world->def.gravity,
@@ -198,6 +206,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	TRY(read_pools(world, function, made));
 	TRY(read_fields(world, function, made));
 	leave_places(made);
+	place_attributes(made);
 	TRY(chains_find(world, &made->chains, &made->chain_memory));
 	return find_restarts(made, function);
 }
