@@ -128,6 +128,19 @@ static void heavy_worlds_stand_alone(void** state)
 	assert_int_equal(scree_batch_step(batch, STEP, 4, 1), SCREE_ERROR_INVALID);
 	assert_non_null(strstr(scree_error(), "inputs of world 1[0] is 1e+30, must be from 1e-15 to 1.09951"));
 	equal(batch, 0, alone[0]);
+	for (int list = 0; list < 2; ++list)
+	{
+		// the center of mass is so far from the joint that the inertia is above 2^40 kg m^2
+		const float far[4][4] = {{1.0f, 100.0f}, {1.0f, 1.0f}, {2.0e9f, 1.0f, 1000.0f}, {1.0f, 1.0f}};
+		memcpy(rows, far, sizeof rows);
+		OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, &in, list == 0, rows[0]));
+		OK(scree_batch_bind(batch, SCREE_RESET_INPUTS, &in, list == 1, rows[0]));
+		assert_int_equal(list ? scree_batch_reset(batch, NULL) : scree_batch_step(batch, STEP, 4, 1),
+		                 SCREE_ERROR_INVALID);
+		assert_non_null(strstr(scree_error(), "inputs of world 2[0] give a body an inertia above 1.09951"));
+		equal(batch, 0, alone[0]);
+	}
+	assert_int_equal(scree_batch_insert(batch, 0, alone[1]), SCREE_ERROR_INVALID); // alone[1] is heavy
 	scree_batch_destroy(batch);
 	for (int k = 0; k < 2; ++k)
 	{
@@ -398,6 +411,35 @@ static void surfaces_change_twice(void** state)
 	scree_world_destroy(world);
 }
 
+// A body is disabled, or its shape made a sensor, after the step: its contact has ended.
+static void touches_end_at_once(void** state)
+{
+	(void)state;
+	for (int act = 0; act < 3; ++act)
+	{
+		scree_world* world = open_cpu(false);
+		scree_body floor = box(world, SCREE_BODY_STATIC, 0.0f, -1.0f, 1.0f);
+		scree_body crate = box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f);
+		for (int k = 0; k < 10; ++k)
+			OK(scree_world_step(world, STEP, 4));
+		if (act == 0)
+			OK(scree_body_set_enabled(world, floor, false));
+		if (act == 1)
+			OK(scree_collidable_set_sensor(world, collidable_of(world, floor), SCREE_SENSOR_MOVING));
+		scree_batch* batch = open_batch(&world, 1, 1);
+		scree_channel out = scree_channel_make(SCREE_OUTPUT_TOUCH), in = scree_channel_make(SCREE_INPUT_ENABLED);
+		float row[3], enabled = 0.0f;
+		out.body = in.body = crate;
+		OK(scree_batch_bind(batch, SCREE_OUTPUTS, &out, 1, row));
+		OK(scree_batch_bind(batch, SCREE_RESET_INPUTS, &in, act == 2, &enabled));
+		OK(scree_batch_reset(batch, NULL));
+		OK(scree_batch_observe(batch));
+		assert_true(row[0] == 0.0f && row[2] == 0.0f);
+		scree_batch_destroy(batch);
+		scree_world_destroy(world);
+	}
+}
+
 static void refusals(void** state)
 {
 	(void)state;
@@ -456,6 +498,7 @@ int main(void)
 	    cmocka_unit_test(joints_of_two_templates),
 	    cmocka_unit_test(rows_stay_and_rays_pass),
 	    cmocka_unit_test(surfaces_change_twice),
+	    cmocka_unit_test(touches_end_at_once),
 	    cmocka_unit_test(refusals),
 	};
 	int failures = 0;

@@ -2561,7 +2561,9 @@ typedef enum scree_channel_kind // comments: the columns, with the units and ran
 	// Parameters of worlds. They stay until they are set again, and are set before the other inputs, in this order. A value
 	// equal to the present one changes nothing.
 	SCREE_INPUT_GRAVITY,       // world: gravity x, y, m/s^2 (scree_batch_set_gravity)
-	SCREE_INPUT_MASS,          // dynamic body: mass, inertia, at most 2^40, center of mass x, y (scree_body_set_mass)
+	// Dynamic body: mass, inertia, center of mass x, y (scree_body_set_mass). Mass and inertia, also the one that shapes and joints
+	// require, are at most 2^40, because heavier bodies change the rounding in all worlds of the batch.
+	SCREE_INPUT_MASS,
 	SCREE_INPUT_SURFACE,       // `collidable`: friction, restitution, rolling resistance, tangent speed (scree_surface)
 	SCREE_INPUT_ENABLED,       // body: 1 to enable it, 0 to disable it (scree_body_set_enabled)
 	SCREE_INPUT_JOINT_ENABLED, // joint: 1 to enable it, 0 to disable it (scree_joint_set_enabled)

@@ -3,6 +3,7 @@
 #include "batch/block_channels.h"
 #include "batch/block_gravity.h"
 #include "batch/block_own.h"
+#include "batch/own_host.h"
 #include "batch/own_inputs.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
@@ -161,6 +162,23 @@ static const float* metric_row(const Block* block, int list, int row, float* roo
 		return values;
 	channels_put(set, room, values);
 	return room;
+}
+
+scree_status block_check_masses(Block* block, int list, const uint8_t* mask, const char* function)
+{
+	float room[MOST_COLUMNS];
+	for (int row = 0; row < block->worlds; ++row)
+	{
+		int world = block_world(block, row), number = block_number(block, row);
+		if (list == CHANNELS_RESET ? mask && !mask[world] : !block_runs(block, row))
+			continue;
+		if (list == CHANNELS_RESET && block->next_of)
+			number = block->next_of[world];
+		const Template* from = block->templates + number;
+		Own own = own_of(from, list == CHANNELS_RESET ? from->own : block_own_values(block, row));
+		TRY(own_inputs_check(block->sets + list, function, from, own, number, metric_row(block, list, row, room), world));
+	}
+	return SCREE_OK;
 }
 
 // Gives worlds the gravity of their inputs, and wakes those in which it changes. rows: as in set_parameters.

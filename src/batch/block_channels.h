@@ -7,6 +7,9 @@
 // Writes the lists of channels to the pools. sets: CHANNEL_LISTS lists, which outlive the block.
 scree_status block_bind(Block* block, const ChannelSet* sets, int templates);
 
+// Checks the masses of a list (own_inputs_check). mask: per world of the batch, 0 for worlds that are not reset; null: all.
+scree_status block_check_masses(Block* block, int list, const uint8_t* mask, const char* function);
+
 // Sets the parameters of the worlds that run, which are inputs of a step.
 scree_status block_set_parameters(Block* block);
 

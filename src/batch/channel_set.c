@@ -77,6 +77,7 @@ static void note_kind(ChannelSet* set, scree_channel_kind kind)
 	set->touches |= kind == SCREE_OUTPUT_TOUCH;
 	set->poses |= kind == SCREE_INPUT_POSE || kind == SCREE_INPUT_TARGET;
 	set->parameters += channel_is_parameter((int)kind);
+	set->masses |= kind == SCREE_INPUT_MASS;
 	set->pulls |= kind == SCREE_INPUT_GRAVITY;
 	set->owns |= channel_is_parameter((int)kind) && kind != SCREE_INPUT_GRAVITY;
 }

@@ -19,7 +19,7 @@ typedef struct
 	int* group;                 // first channel of each group, then `count`
 	int parameters;             // number of inputs that are parameters
 	Channel* parameter;         // for each template, those
-	bool pulls, owns;           // some parameter is gravity; some is another one
+	bool pulls, owns, masses;   // some parameter is gravity; some is another one; some is a mass
 	bool parts;                 // some column of a parameter has a rule beside its range
 	ColumnRule* rules;          // for each column
 	float *least, *most;        // bounds of the values of several rows

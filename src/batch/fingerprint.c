@@ -77,7 +77,7 @@ uint64_t fingerprint_of(const Template* from, const scree_world* world)
 {
 	Word64 h = hash_settings(from->hidden, &from->request);
 	h = hash_word(hash_word(h, (Word)from->bodies), (Word)from->collidables);
-	h = hash_word(h, (Word)from->joints);
+	h = hash_word(hash_word(h, (Word)from->joints), from->pipeline.heavy);
 	for (int k = 0; k < from->bodies; ++k)
 		h = hash_body(h, from, world, k);
 	for (int k = 0; k < from->collidables; ++k)

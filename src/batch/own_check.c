@@ -35,6 +35,7 @@ static scree_status check_bodies(const ChunkIndex* index, const Template* from, 
 		bool used = k > 0 && slots_in_use(&from->world->bodies, k);
 		bool moves = used && from->world->host_bodies[k].type == SCREE_BODY_DYNAMIC;
 		CHECK_ITEM(same || (moves && is_mass(&body->mass)), "own mass", k);
+		CHECK_ITEM(same || from->pipeline.heavy || !mass_is_heavy(from->world, k, body->mass), "own mass", k);
 		CHECK_ITEM(body->disabled == before->disabled ||
 		               (used && from->world->host_bodies[k].fields == 0 && in_range(body->disabled, 0, 2)),
 		           "own body", k);

@@ -72,9 +72,7 @@ static int link_item(const Change* c, int link) { return link > 0 ? collidable_i
 Command own_note_mass(Change* c, int k)
 {
 	Pipeline *p = &c->block->pipeline, *own = &c->patched->world->pipeline;
-	const HostBody* host = c->patched->world->host_bodies + k;
 	Command continuous = continuous_command(c->patched->world, k);
-	p->heavy |= edits_heavy(mass_inverse(host), mass_inverse_inertia(host));
 	p->continuous_way = own->continuous_way < p->continuous_way ? own->continuous_way : p->continuous_way;
 	p->continuous_reach = own->continuous_reach > p->continuous_reach ? own->continuous_reach : p->continuous_reach;
 	return continuous;

@@ -7,6 +7,10 @@
 #include "batch/block_gravity.h"
 #include "batch/block_own.h"
 #include "batch/own_commands.h"
+#include "dialect/finite.h"
+#include "platform/error.h"
+#include "world/check.h"
+#include "world/objects/mass.h"
 #include <string.h>
 
 // Sends the differences of a world that runs: masses first, then surfaces, then bodies and joints.
@@ -100,6 +104,25 @@ void own_inputs_pull(Block* block, const ChannelSet* set, int row, const float* 
 		return;
 	block_gravity_changes(block, row, row + 1);
 	block->pipeline.edited = true;
+}
+
+scree_status own_inputs_check(const ChannelSet* set, const char* function, const Template* from, Own own, int number,
+                              const float* values, int world)
+{
+	const Channel* channels = set->parameter + number * set->parameters;
+	for (int k = 0; k < set->parameters && !from->pipeline.heavy; ++k)
+	{
+		scree_mass mass;
+		if (channels[k].kind != CHANNEL_SET_MASS || !is_other(own, channels + k, values + channels[k].column))
+			continue;
+		memcpy(&mass, values + channels[k].column, sizeof mass);
+		if (mass_is_heavy(from->world, channels[k].item, mass))
+			return fail(SCREE_ERROR_INVALID,
+			            "%s: inputs of world %d[%d] give a body an inertia above %s kg m^2, because of its shapes and joints, "
+			            "but no body of the template has, or had, a mass or an inertia above this",
+			            function, world, channels[k].column, decimal(HEAVY_MASS).text);
+	}
+	return SCREE_OK;
 }
 
 _Static_assert(sizeof(scree_mass) == 4 * sizeof(float) && sizeof(scree_vec) == 2 * sizeof(float), "columns of inputs");

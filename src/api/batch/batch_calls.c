@@ -105,6 +105,7 @@ typedef struct // rows of inputs to check
 {
 	const char* function;
 	const ChannelSet* set;
+	int list;
 	const uint8_t* mask; // as in channels_check
 } InputCheck;
 
@@ -115,12 +116,20 @@ static scree_status check_block(Block* block, const void* context)
 	return channels_check(check->set, check->function, check->set->memory, block->first, block->worlds, check->mask);
 }
 
+static scree_status check_masses(Block* block, const void* context)
+{
+	const InputCheck* check = context;
+	return block_check_masses(block, check->list, check->mask, check->function);
+}
+
 static scree_status check_inputs(scree_batch* batch, const char* function, int list, const uint8_t* mask)
 {
-	InputCheck check = {function, batch->sets + list, mask};
+	InputCheck check = {function, batch->sets + list, list, mask};
 	if (check.set->shared)
 		return batch_note_device(batch, block_check_shared(batch->blocks, function));
-	return check.set->columns > 0 ? batch_each(batch, check_block, &check) : SCREE_OK;
+	if (check.set->columns > 0)
+		TRY(batch_each(batch, check_block, &check));
+	return check.set->masses ? batch_each(batch, check_masses, &check) : SCREE_OK;
 }
 
 typedef struct

@@ -70,6 +70,9 @@ INLINE void channel_touch(const Pools* p, const GLOBAL Channel* c, int bay, GLOB
 		Word flags = p->contact_flags[slot];
 		if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
 			continue;
+		int a = p->collidable_kind[pair.x], b = p->collidable_kind[pair.y];
+		if ((a | b) & KIND_SENSOR || a == KIND_DEAD || b == KIND_DEAD)
+			continue; // a body was disabled after the step, or a collidable made a sensor
 		++touches;
 		Float4 impulses = contact_impulses(p, slot);
 		sum = sum + (impulses.x + impulses.y);

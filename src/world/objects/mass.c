@@ -114,6 +114,14 @@ float mass_arm(const scree_world* world, const HostBody* host)
 	return most;
 }
 
+bool mass_is_heavy(const scree_world* world, int body, scree_mass mass)
+{
+	HostBody host = world->host_bodies[body];
+	host.mass = host.own_mass = mass;
+	host.arm = mass_arm(world, &host);
+	return edits_heavy(mass_inverse(&host), mass_inverse_inertia(&host));
+}
+
 ContinuousBody continuous_row(scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;

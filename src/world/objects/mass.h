@@ -25,6 +25,10 @@ float mass_inverse_inertia(const HostBody* host);
 // fit them.
 float mass_arm(const scree_world* world, const HostBody* host);
 
+// Returns whether a dynamic body with this mass of its own would be heavy (Pipeline.heavy), whose inertia follows from its joints and
+// shapes.
+bool mass_is_heavy(const scree_world* world, int body, scree_mass mass);
+
 // Return the row of a body in the pool continuous_body, and the command that sets this row. Both functions may lower
 // Pipeline.continuous_way, and raise Pipeline.continuous_reach.
 ContinuousBody continuous_row(scree_world* world, int body);
