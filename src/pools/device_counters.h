@@ -12,6 +12,11 @@ typedef struct // places of the constraints of a kind; a place is an index into 
 	int last[COLORS + 2];  // index after the last sorted key of each color
 } KindLayout;
 
+typedef struct // counters that step_begin clears: their values before, which an abandoned step restores
+{
+	int presses, ways, belts, press[2], penetration, joint_gap;
+} ClearedCounters;
+
 typedef struct // all members are ints, so Run.count can identify a counter by its position
 {
 	// Values that persist between steps.
@@ -100,6 +105,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int waiting, refused, asked;            // contacts: pending with points; refused or passing; listed for approval
 	int holds;                              // INT_MAX if `waiting` is not 0, else 0
 	int moved_bodies;                       // number of bodies whose pose differs from the last one that the user read
+	ClearedCounters cleared;
 	int fault; // FAULT_* if the device failed in a run, else 0; the backend reads it with the other counters
 } Counters;
 

@@ -70,7 +70,7 @@ static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status w
 	tree_touch(pipeline, 0);
 	tree_touch(pipeline, 1);
 	pipeline->reverted = true;
-	scree_status status = pipeline_run(pipeline, step);
+	scree_status status = read_back(pipeline, step);
 	pipeline->started = status != SCREE_OK;
 	return status ? status : why;
 }

@@ -11,9 +11,37 @@
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
+// Keeps the counters that the start of a step clears, for an abandoned step, or restores them.
+INLINE void counters_keep(const Pools* p)
+{
+	const GLOBAL Counters* c = p->counters;
+	GLOBAL ClearedCounters* to = &p->counters->cleared;
+	to->presses = c->presses;
+	to->ways = c->ways;
+	to->belts = c->belts;
+	to->press[0] = c->press[0];
+	to->press[1] = c->press[1];
+	to->penetration = c->penetration;
+	to->joint_gap = c->joint_gap;
+}
+
+INLINE void counters_restore(const Pools* p)
+{
+	const GLOBAL ClearedCounters* from = &p->counters->cleared;
+	GLOBAL Counters* c = p->counters;
+	c->presses = from->presses;
+	c->ways = from->ways;
+	c->belts = from->belts;
+	c->press[0] = from->press[0];
+	c->press[1] = from->press[1];
+	c->penetration = from->penetration;
+	c->joint_gap = from->joint_gap;
+}
+
 KERNEL(step_begin)
 {
 	GLOBAL Counters* c = p->counters;
+	counters_keep(p);
 	c->alive = c->alive - c->released;
 	c->updated_boxes = 0;
 	c->refit = 0;
@@ -235,9 +263,11 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	return i;
 }
 
-// Restores the old boxes after a step that stopped before it found all contacts, so that the next step finds them.
+// Restores the old boxes after a step that stopped before it found all contacts, so that the next step finds them; and counters.
 KERNEL(transform_undo)
 {
+	if (i == 0)
+		counters_restore(p);
 	int flags = p->collidable_flags[i];
 	if (flags & COLLIDABLE_SHIFTED)
 		p->collidable_flags[i] = (flags & ~COLLIDABLE_SHIFTED) | COLLIDABLE_CHANGED;
