@@ -96,6 +96,7 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 		pair->every = 1;
 		desk->steps += outcome.steps;
 		desk->frozen += outcome.frozen;
+		desk->batches += outcome.batches;
 		desk->sleeping += outcome.slept > 0;
 		desk->woken += outcome.woke > 0;
 		desk->done += 1;
@@ -142,9 +143,9 @@ void farm_work(const Options* o, int job, Desk* desk)
 
 int farm_print_counts(const Options* o, const Desk* all, double seconds)
 {
-	printf("%s: %d programs, %d steps, %d bodies frozen, %d with sleep, %d with waking, %d failures, hash %016" PRIx64
-	       ", %.1f s\n",
-	       o->places[1].device, all->done, all->steps, all->frozen, all->sleeping, all->woken, all->failed, all->hash,
-	       seconds);
+	printf("%s: %d programs, %d steps, %d batches, %d bodies frozen, %d with sleep, %d with waking, %d failures, hash "
+	       "%016" PRIx64 ", %.1f s\n",
+	       o->places[1].device, all->done, all->steps, all->batches, all->frozen, all->sleeping, all->woken, all->failed,
+	       all->hash, seconds);
 	return all->failed > 0;
 }

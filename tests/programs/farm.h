@@ -20,7 +20,7 @@ typedef struct // progress of a process, shared with its parent
 {
 	uint64_t seed;
 	double since; // s, by seconds_now: start of the current program
-	int done, failed, steps, frozen;
+	int done, failed, steps, frozen, batches;
 	int sleeping, woken; // programs in which bodies fell asleep; programs in which bodies also woke
 	uint64_t hash;       // sum of those of the programs
 	bool finished;

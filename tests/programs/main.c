@@ -26,6 +26,7 @@ static const char usage[] =
     "  --reports N     failures that a process makes shorter and prints; the others it counts (4)\n"
     "  --infinite      state that is not finite is no failure\n"
     "  --reads         the other world is read between calls, and moved to the device where it is\n"
+    "  --batches       after each step the other world is copied into a batch, whose worlds are compared with it\n"
     "  --faults        the device of the other world fails between calls: docs/design/faults.md\n"
     "  --records       the calls of each program are recorded, and repeated on the device at the end "
     "(docs/manual/recording.md)\n"
@@ -58,6 +59,7 @@ static Options parse(int count, char** arguments)
 		             : strcmp(name, "--infinite") == 0 ? &o.infinite
 		             : strcmp(name, "--limits") == 0   ? &o.limits
 		             : strcmp(name, "--reads") == 0    ? &o.places[1].reads
+		             : strcmp(name, "--batches") == 0  ? &o.places[1].batches
 		             : strcmp(name, "--faults") == 0   ? &o.places[1].faults
 		             : strcmp(name, "--records") == 0  ? &o.records
 		                                               : NULL;

@@ -97,7 +97,9 @@ static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 	if (left.status == SCREE_OK && call->kind == CALL_step && hashes)
 		left.status = scree_world_get_hash(pair->worlds[k], &hash);
 	left.word += hash;
-	if (pair->places[k].reads && !read_between(pair, run))
+	bool copied = pair->places[k].batches && call->kind == CALL_step && left.status == SCREE_OK;
+	if ((pair->places[k].reads && !read_between(pair, run)) ||
+	    (copied && !batch_repeat(run.world, run.place, &pair->batches)))
 	{
 		left.status = SCREE_ERROR_DEVICE_FAILED; // the other world has another status
 		snprintf(left.error, sizeof left.error, "a copy in a batch differs");
@@ -326,6 +328,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 	if (!pair_ready(pair, &program->calls[0], &outcome))
 		return outcome;
 	recorded_begin(pair);
+	int batches = pair->batches;
 	for (int i = 1; i < program->count; ++i)
 	{
 		const Call* call = &program->calls[i];
@@ -356,6 +359,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 		break;
 	}
 	recorded_end(pair, &outcome);
+	outcome.batches = pair->batches - batches;
 	sleepers_close(&sleepers);
 	return outcome;
 }

@@ -67,6 +67,7 @@ int farm_run(const Options* o)
 			all.failed += desks[k].failed;
 			all.steps += desks[k].steps;
 			all.frozen += desks[k].frozen;
+			all.batches += desks[k].batches;
 			all.sleeping += desks[k].sleeping;
 			all.woken += desks[k].woken;
 			all.hash += desks[k].hash;

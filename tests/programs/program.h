@@ -71,6 +71,8 @@ typedef struct // first device of a world, and device to which the call "move" m
 	// true: between calls the world is read, and moved to the device that it is on; it skips no steps in which nothing
 	// moves
 	bool reads;
+	// true: after each step the world is copied into a batch (run_batch.c)
+	bool batches;
 	// true: between calls its devices fail, and it recovers; a CPU counts as a device that fails
 	bool faults;
 } Place;
@@ -105,6 +107,7 @@ typedef struct
 	int call;           // index of the first call after which the worlds differ
 	char sentence[256]; // description of the difference
 	int steps, frozen;  // number of steps; number of bodies that were frozen in these steps
+	int batches;        // number of batches that were made
 	int slept, woke;    // number of times that a body fell asleep, and that a body woke
 	uint64_t hash;      // hash of the results of all calls; equal on every platform
 } Outcome;
