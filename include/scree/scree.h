@@ -2560,7 +2560,7 @@ typedef enum scree_channel_kind // comments: the columns, with the units and ran
 	SCREE_INPUT_JOINT_TARGET, // joint: target of lock and spring of coordinate `which`, m or rad
 	// Parameters of worlds. They stay until they are set again, and are set before the other inputs, in this order. A value
 	// equal to the present one changes nothing.
-	SCREE_INPUT_GRAVITY,       // world: gravity x, y, m/s^2 (scree_batch_set_gravity)
+	SCREE_INPUT_GRAVITY, // world: gravity x, y, m/s^2 (scree_batch_set_gravity)
 	// Dynamic body: mass, inertia, center of mass x, y (scree_body_set_mass). Mass and inertia, also the one that shapes and joints
 	// require, are at most 2^40, because heavier bodies change the rounding in all worlds of the batch.
 	SCREE_INPUT_MASS,

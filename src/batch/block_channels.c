@@ -3,7 +3,6 @@
 #include "batch/block_channels.h"
 #include "batch/block_gravity.h"
 #include "batch/block_own.h"
-#include "batch/own_host.h"
 #include "batch/own_inputs.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"
@@ -176,7 +175,8 @@ scree_status block_check_masses(Block* block, int list, const uint8_t* mask, con
 			number = block->next_of[world];
 		const Template* from = block->templates + number;
 		Own own = own_of(from, list == CHANNELS_RESET ? from->own : block_own_values(block, row));
-		TRY(own_inputs_check(block->sets + list, function, from, own, number, metric_row(block, list, row, room), world));
+		TRY(own_inputs_check(block->sets + list, function, from, own, number, metric_row(block, list, row, room),
+		                     world));
 	}
 	return SCREE_OK;
 }

@@ -47,7 +47,8 @@ static uint64_t replaced(const Block* block, int list, int row)
 	Own own = own_of(from, block_own_values(block, row));
 	for (int c = 0; c < inputs->count; ++c)
 		if (channels[c].kind == CHANNEL_SET_VELOCITY ||
-		    (channels[c].kind == CHANNEL_SET_TARGET && block->request.dt > 0.0f && !own.body[channels[c].item].disabled))
+		    (channels[c].kind == CHANNEL_SET_TARGET && block->request.dt > 0.0f &&
+		     !own.body[channels[c].item].disabled))
 			set |= target_bit(&from->targets, channels[c].item);
 	return set;
 }

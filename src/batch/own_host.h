@@ -11,11 +11,4 @@ void own_host_close(scree_world* made);
 // Gives the copy the own values of a world: masses and what follows from them, disabled bodies and joints.
 void own_host_set(scree_world* made, const Template* from, Own own);
 
-static inline Own own_of(const Template* from, char* values)
-{
-	return own_view(values, from->bodies, from->collidables, from->joints);
-}
-
-static inline size_t own_size(const Template* from) { return own_bytes(from->bodies, from->collidables, from->joints); }
-
 #endif

@@ -117,10 +117,11 @@ scree_status own_inputs_check(const ChannelSet* set, const char* function, const
 			continue;
 		memcpy(&mass, values + channels[k].column, sizeof mass);
 		if (mass_is_heavy(from->world, channels[k].item, mass))
-			return fail(SCREE_ERROR_INVALID,
-			            "%s: inputs of world %d[%d] give a body an inertia above %s kg m^2, because of its shapes and joints, "
-			            "but no body of the template has, or had, a mass or an inertia above this",
-			            function, world, channels[k].column, decimal(HEAVY_MASS).text);
+			return fail(
+			    SCREE_ERROR_INVALID,
+			    "%s: inputs of world %d[%d] give a body an inertia above %s kg m^2, because of its shapes and joints, "
+			    "but no body of the template has, or had, a mass or an inertia above this",
+			    function, world, channels[k].column, decimal(HEAVY_MASS).text);
 	}
 	return SCREE_OK;
 }

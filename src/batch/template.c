@@ -2,7 +2,6 @@
 // template.c -- reads a world as the template of worlds of a batch, into host memory.
 #include "batch/template.h"
 #include "batch/own_chains.h"
-#include "batch/own_host.h"
 #include "constraints/constraint_kinds.h"
 #include "platform/error.h"
 #include "step/bay_layout.h"

@@ -51,4 +51,12 @@ void template_shift(Template* made, int first, int sample, int field, int table)
 // Returns the address of item `first` of a pool of the image.
 void* template_item(const Template* from, PoolId pool, int first);
 
+// Returns a view of the own values of a world of the template, and their size in bytes.
+static inline Own own_of(const Template* from, char* values)
+{
+	return own_view(values, from->bodies, from->collidables, from->joints);
+}
+
+static inline size_t own_size(const Template* from) { return own_bytes(from->bodies, from->collidables, from->joints); }
+
 #endif

@@ -145,7 +145,7 @@ int farm_print_counts(const Options* o, const Desk* all, double seconds)
 {
 	printf("%s: %d programs, %d steps, %d batches, %d bodies frozen, %d with sleep, %d with waking, %d failures, hash "
 	       "%016" PRIx64 ", %.1f s\n",
-	       o->places[1].device, all->done, all->steps, all->batches, all->frozen, all->sleeping, all->woken, all->failed,
-	       all->hash, seconds);
+	       o->places[1].device, all->done, all->steps, all->batches, all->frozen, all->sleeping, all->woken,
+	       all->failed, all->hash, seconds);
 	return all->failed > 0;
 }

@@ -3,6 +3,7 @@
 #include "platform/error.h"
 #include "programs/run_call.h"
 #include "step/pipeline_state.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -89,8 +90,8 @@ static scree_status list_parameters(scree_world* world, uint64_t dice, scree_cha
 		    (k == 2 && (dice >> 40 & 1 || may_carry(world, body))))
 			continue;
 		const float values[3][4] = {{1.0f + 10.0f * (mass.mass < 1e11f ? mass.mass : 0.0f),
-		                             0.1f + (mass.inertia < 1e12f ? mass.inertia : 0.0f), mass.center.x + 0.01f,
-		                             mass.center.y},
+		                             0.1f + (mass.inertia < 1e12f ? mass.inertia : 0.0f),
+		                             (fabsf(mass.center.x) < 1e4f ? mass.center.x : 0.0f) + 0.01f, mass.center.y},
 		                            {0.05f, 0.5f, 0.1f, dice >> 41 & 1 ? 1.5f : 0.0f},
 		                            {scree_body_is_enabled(world, body) ? 0.0f : 1.0f}};
 		for (int n = 0; n < (k < 2 ? 4 : 1); ++n)
