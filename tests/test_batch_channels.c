@@ -276,7 +276,7 @@ static scree_batch* open_batch(const Rig* rig, const Place* place)
 	def.template_count = 1;
 	def.device = place->device;
 	def.threads = place->threads;
-	def.lanes = place->lanes;
+	def.lanes = lanes_here(place->lanes);
 	OK(scree_batch_create(&def, &batch));
 	return batch;
 }

@@ -242,7 +242,7 @@ static Pair open_pair(const Rig* rig, const Place* place)
 	def.template_count = 1;
 	def.device = place->device;
 	def.threads = place->threads;
-	def.lanes = place->lanes;
+	def.lanes = lanes_here(place->lanes);
 	OK(scree_batch_create(&def, &pair.batch));
 	for (int w = 0; w < WORLDS; ++w)
 	{

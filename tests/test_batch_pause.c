@@ -88,7 +88,7 @@ static scree_status try_batch(Templates* t, const Place* place, Checked* c)
 	def.template_of = c->template_of;
 	def.device = place->device;
 	def.threads = place->threads;
-	def.lanes = place->lanes;
+	def.lanes = lanes_here(place->lanes);
 	def.contact_limit = place->contact_limit;
 	for (int k = 0; k < def.worlds; ++k)
 		c->template_of[k] = random_below(t->count);

@@ -97,7 +97,7 @@ static scree_batch* open_rigs(const Rig* rigs, int kinds, const Place* place)
 	def.template_count = kinds;
 	def.device = place->device;
 	def.threads = place->threads;
-	def.lanes = place->lanes;
+	def.lanes = lanes_here(place->lanes);
 	OK(scree_batch_create(&def, &batch));
 	return batch;
 }

@@ -2,6 +2,7 @@
 // batch_checks.h -- draws random numbers, and checks refused calls, for tests of batches.
 #ifndef BATCH_CHECKS_H
 #define BATCH_CHECKS_H
+#include "platform/processor.h"
 #include "support/checks.h"
 
 static uint32_t random_state = 1;
@@ -13,6 +14,12 @@ static inline uint32_t random_word(void)
 }
 
 static inline int random_below(int end) { return (int)(random_word() % (uint32_t)end); }
+
+// Returns a number of lanes, or the widest one if this build or processor lacks it. 0 stays.
+static inline int lanes_here(int lanes)
+{
+	return lanes == 0 || processor_has_lanes(lanes) ? lanes : processor_widest_lanes();
+}
 
 // Returns a copy of a world on one thread of the CPU.
 static inline scree_world* clone_of(scree_world* world)

@@ -84,7 +84,7 @@ static inline void open_twins(Twins* t, const char* device, int threads, int lan
 	def.template_count = t->level_count;
 	def.device = device;
 	def.threads = threads;
-	def.lanes = lanes;
+	def.lanes = lanes_here(lanes);
 	def.other_templates = t->varied;
 	OK(scree_batch_create(&def, &t->batch));
 	for (int k = 0; k < t->level_count; ++k)

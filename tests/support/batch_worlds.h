@@ -51,7 +51,7 @@ static inline scree_batch* open_batch(Templates* t, const Place* place, int* tem
 	def.template_of = template_of;
 	def.device = place->device;
 	def.threads = place->threads;
-	def.lanes = place->lanes;
+	def.lanes = lanes_here(place->lanes);
 	for (int k = 0; k < def.worlds; ++k)
 		template_of[k] = random_below(t->count);
 	OK(scree_batch_create(&def, &batch));
