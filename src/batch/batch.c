@@ -112,14 +112,15 @@ static scree_status open_device(const scree_batch_def* def, int threads, Backend
 	return device_open(&world, NULL, backend);
 }
 
-// Returns the number of worlds of a block on a CPU.
+// Returns the number of worlds of a block on a CPU: each worker gets as many blocks as the others.
 static int block_worlds(const scree_batch* batch, int workers)
 {
 	int most = 1;
 	for (int t = 0; t < batch->template_count; ++t)
 		most = batch->templates[t].bodies > most ? batch->templates[t].bodies : most;
 	int worlds = BLOCK_ITEMS / most > 1 ? BLOCK_ITEMS / most : 1, share = (batch->worlds + workers - 1) / workers;
-	return worlds < share ? worlds : share;
+	int blocks = (share + worlds - 1) / worlds;
+	return (share + blocks - 1) / blocks;
 }
 
 // Returns the number of blocks of at most `worlds` worlds, each with one tuning.

@@ -109,11 +109,21 @@ typedef struct // rows of inputs to check
 	const uint8_t* mask; // as in channels_check
 } InputCheck;
 
+#define CHECKED_ALONE 65536 // number of values that one thread checks in less time than it takes to wake others
+
 // Checks as many rows as the block has worlds, in the order of the user.
 static scree_status check_block(Block* block, const void* context)
 {
 	const InputCheck* check = context;
 	return channels_check(check->set, check->function, check->set->memory, block->first, block->worlds, check->mask);
+}
+
+static scree_status check_rows(scree_batch* batch, const InputCheck* check)
+{
+	const ChannelSet* set = check->set;
+	if ((int64_t)set->columns * batch->worlds > CHECKED_ALONE)
+		return batch_each(batch, check_block, check);
+	return channels_check(set, check->function, set->memory, 0, batch->worlds, check->mask);
 }
 
 static scree_status check_masses(Block* block, const void* context)
@@ -128,7 +138,7 @@ static scree_status check_inputs(scree_batch* batch, const char* function, int l
 	if (check.set->shared)
 		return batch_note_device(batch, block_check_shared(batch->blocks, function));
 	if (check.set->columns > 0)
-		TRY(batch_each(batch, check_block, &check));
+		TRY(check_rows(batch, &check));
 	return check.set->masses ? batch_each(batch, check_masses, &check) : SCREE_OK;
 }
 
