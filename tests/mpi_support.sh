@@ -6,3 +6,6 @@ mpiexec=${SCREE_MPIEXEC:-mpiexec}
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
 # containers forbid that processes read each other's memory, and have no network but the loopback
 export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_btl=self,vader
+# without /sys, as in a folder with a bare system, Open MPI finds no processors and aborts
+[ -e /sys/devices/system/cpu ] || HWLOC_SYNTHETIC="core:$(nproc) pu:1"
+[ -z "${HWLOC_SYNTHETIC:-}" ] || export HWLOC_SYNTHETIC
