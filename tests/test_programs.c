@@ -5,6 +5,7 @@
 // Formula: status(device) = status(cpu, 1 thread, 1 lane) after each call, and the same for results and hashes.
 // bench/programs.sh runs thousands of programs on a GPU. build/tests/programs --help lists the options with which a
 // program is run again, or other programs are run.
+#include "platform/processor.h"
 #include "programs/program.h"
 #include "support/variants.h"
 #include <stdio.h>
@@ -81,6 +82,18 @@ static void reads_change_nothing(void** state)
 	Variant variants[MAX_VARIANTS];
 	list_variants(variants);
 	check_variant(&variants[0], quick() ? 50 : 400, (Place){.reads = true});
+}
+
+// Checks that copies of a world in a batch, made after each step, go on with its bits.
+static void batches_are_equal(void** state)
+{
+	(void)state;
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants);
+	for (int k = 0; k < count; ++k)
+		if (strcmp(variants[k].device, "cpu") == 0 && !variants[k].other[0] &&
+		    (variants[k].lanes == processor_widest_lanes() || (k == 0 && !quick())))
+			check_variant(&variants[k], quick() ? 1 : 4, (Place){.batches = true});
 }
 
 // Checks that a world whose device fails between calls goes on with the same bits (docs/manual/faults.md).
@@ -178,8 +191,9 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(text_is_the_program),      cmocka_unit_test(programs_are_equal),
-	    cmocka_unit_test(reads_change_nothing),     cmocka_unit_test(failures_change_nothing),
-	    cmocka_unit_test(denormals_change_nothing), cmocka_unit_test(saved_programs_are_equal),
+	    cmocka_unit_test(reads_change_nothing),     cmocka_unit_test(batches_are_equal),
+	    cmocka_unit_test(failures_change_nothing),  cmocka_unit_test(denormals_change_nothing),
+	    cmocka_unit_test(saved_programs_are_equal),
 	};
 	return cmocka_run_group_tests(tests, hide_log, NULL);
 }
