@@ -75,10 +75,10 @@ static bool read_scale(Options* options, const Option* option, char* text)
 	return refuse_value(options, option, text, "be a number from 0.5 to 4");
 }
 
-static const Option device = {
-    "device", 'd', "NAME",
-    "auto, cpu, opencl, or opencl:NAME; NAME: part of the name of the device or of its driver, case ignored",
-    TEXT(Options, device)};
+static const Option device = {"device", 'd', "NAME",
+                              "auto, cpu, opencl, or opencl:NAME; NAME: part of the name of the device or of its "
+                              "driver, case ignored; '#2' at its end: the second of equal devices",
+                              TEXT(Options, device)};
 static const Option sleep_option = {"sleep", 'e', "NAME",
                                     "on or off: whether bodies at rest fall asleep; default: that of the scene",
                                     OTHER(read_sleep)};

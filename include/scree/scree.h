@@ -217,7 +217,8 @@ SCREE_API const char* scree_sharing_name(scree_sharing sharing);
 
 typedef struct scree_device
 {
-	char name[128];    // valid as scree_world_def.device: "cpu", "opencl:NVIDIA H200"
+	char name[128];    // valid as scree_world_def.device: "cpu", "opencl:NVIDIA H200"; the next of equal devices has a
+	                   // number at the end: "opencl:NVIDIA H200 #2"
 	char driver[128];  // platform and driver version; for the CPU: the widest lanes that it supports
 	bool equal_bits;   // false if Scree cannot use the device, or if a test found results that differ from the CPU's;
 	                   // true for a device that is not tested yet (`tested`)
@@ -293,7 +294,8 @@ typedef struct scree_world_def
 	uint32_t size;           // set by scree_world_def_default
 	scree_vec gravity;       // m/s^2, default (0, -10)
 	const char* device;      // "auto" (default), "cpu", "opencl" or "opencl:NAME"; NAME: a part of the name of a
-	                         // device or of its driver, in small or capital letters
+	                         // device or of its driver, in small or capital letters; "#2" at its end: the second of
+	                         // several devices with equal names
 	int threads;             // CPU worker threads, 0 to 64; 0 (default): one per core
 	int lanes;               // CPU SIMD lanes: 1, 4, 8 or 16, if processor and build have them; 0 (default): the widest
 	bool allow_unequal_bits; // true: a device whose results are not bit-identical is accepted; default false

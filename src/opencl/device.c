@@ -9,6 +9,7 @@
 #include "platform/system.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define MAX_PLATFORMS 16
@@ -157,15 +158,14 @@ static void find_verdict(Device* d)
 static void describe(cl_platform_id platform, cl_device_id id, Device* d)
 {
 	*d = (Device){.platform = platform, .id = id};
-	char name[120], version[128], driver[128], platform_version[128];
-	device_text(d, CL_DEVICE_NAME, name, sizeof name);
+	char version[128], driver[128], platform_version[128];
+	device_text(d, CL_DEVICE_NAME, d->name, sizeof d->name);
 	device_text(d, CL_DEVICE_VERSION, version, sizeof version);
 	device_text(d, CL_DRIVER_VERSION, driver, sizeof driver);
 	platform_text(d, CL_PLATFORM_NAME, d->platform_name, sizeof d->platform_name);
 	platform_text(d, CL_PLATFORM_VERSION, platform_version, sizeof platform_version);
-	snprintf(d->about.name, sizeof d->about.name, "opencl:%s", name);
 	snprintf(d->about.driver, sizeof d->about.driver, "%.60s, driver %.50s", d->platform_name, driver);
-	snprintf(d->identity, sizeof d->identity, "%s|%s|%s|%s|%s", d->platform_name, platform_version, name, version,
+	snprintf(d->identity, sizeof d->identity, "%s|%s|%s|%s|%s", d->platform_name, platform_version, d->name, version,
 	         driver);
 	d->type = device_number(d, CL_DEVICE_TYPE);
 	d->compiles_at_launch = strcmp(d->platform_name, "Portable Computing Language") == 0;
@@ -173,6 +173,18 @@ static void describe(cl_platform_id platform, cl_device_id id, Device* d)
 	d->about.memory = device_number(d, CL_DEVICE_GLOBAL_MEM_SIZE);
 	find_sharing(d);
 	check_support(d);
+}
+
+// Writes the name of a device in a list, which no device before it has: the second of equal GPUs is "opencl:NAME #2".
+static void name_device(const Device* devices, Device* d)
+{
+	char number[16] = "";
+	d->number = 1;
+	for (const Device* other = devices; other < d; ++other)
+		d->number += strcmp(other->name, d->name) == 0;
+	if (d->number > 1)
+		snprintf(number, sizeof number, " #%d", d->number);
+	snprintf(d->about.name, sizeof d->about.name, "opencl:%s%s", d->name, number);
 }
 
 // Returns whether a list of platforms or devices was read. Writes an error other than an empty list to list_error.
@@ -200,8 +212,10 @@ static int list(Device* devices, int capacity)
 			continue;
 		for (cl_uint i = 0; i < id_count && i < MAX_DEVICES; ++i, ++count)
 		{
-			if (count < capacity)
-				describe(platforms[p], ids[i], &devices[count]);
+			if (count >= capacity)
+				continue;
+			describe(platforms[p], ids[i], &devices[count]);
+			name_device(devices, &devices[count]);
 		}
 	}
 	return count;
@@ -223,18 +237,33 @@ int device_list(Device* devices, int capacity)
 
 static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c + 'a' - 'A') : c; }
 
-static bool has_part(const char* text, const char* part)
+static bool has_part(const char* text, const char* part, size_t length)
 {
 	for (;; ++text)
 	{
 		size_t k = 0;
-		while (part[k] && lower(text[k]) == lower(part[k]))
+		while (k < length && lower(text[k]) == lower(part[k]))
 			++k;
-		if (!part[k])
+		if (k == length)
 			return true;
 		if (!*text)
 			return false;
 	}
+}
+
+// Returns the number at the end of a name such as "NVIDIA H200 #2", or -1. length: becomes that of the name without it.
+static int number_at_end(const char* name, size_t* length)
+{
+	size_t end = strlen(name), digits = end;
+	while (digits > 0 && name[digits - 1] >= '0' && name[digits - 1] <= '9')
+		--digits;
+	*length = end;
+	if (digits == end || end - digits > 4 || digits == 0 || name[digits - 1] != '#')
+		return -1;
+	*length = digits - 1;
+	while (*length > 0 && name[*length - 1] == ' ')
+		--*length;
+	return atoi(name + digits);
 }
 
 // Returns the reason why the last list of devices was empty, or "". count: number of devices in it.
@@ -259,19 +288,22 @@ scree_status device_choose(const BackendOptions* options, Device* device)
 		return fail(SCREE_ERROR_NO_DEVICE, "%s", hint(0));
 
 	const char* part = options->device ? options->device : "";
+	size_t length;
+	int number = number_at_end(part, &length);
 	const Device* best = NULL;
 	int best_score = -1;
 	for (int i = 0; i < count && i < MAX_DEVICES; ++i)
 	{
 		const Device* d = &devices[i];
-		const char* name = d->about.name + strlen("opencl:");
-		bool named = has_part(name, part);
-		if (!named && !has_part(d->platform_name, part))
+		bool named = has_part(d->name, part, length);
+		if (!named && !has_part(d->platform_name, part, length))
+			continue;
+		if (number >= 0 && d->number != number)
 			continue;
 		if (options->gpu && !(d->type & CL_DEVICE_TYPE_GPU))
 			continue;
 		bool allowed = d->about.equal_bits || (d->usable && options->allow_unequal_bits);
-		bool whole = named && strlen(part) == strlen(name);
+		bool whole = named && length == strlen(d->name);
 		int score = 8 * allowed + 4 * whole + 2 * ((d->type & CL_DEVICE_TYPE_GPU) != 0) + d->about.equal_bits;
 		if (score > best_score)
 		{

@@ -20,6 +20,8 @@ typedef struct
 	const char* error_function; // name of the function that returned `error`
 	bool usable;                // false: Scree cannot use the device with any option; about.reason states the reason
 	Digest verdict_key;         // key of the verdict on the device (verdict.h)
+	char name[112];             // as its driver gives it; equal devices have the same
+	int number;                 // 1 for the first device with this name, 2 for the next
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions; part of the key of the program cache
 	scree_device about; // the entry that scree_devices_get returns
@@ -38,10 +40,10 @@ double device_wait_limit(const Device* device, const BackendOptions* options);
 // Sets the members of a device that follow from the verdict on it.
 void device_judge(Device* device, const Verdict* verdict);
 
-// Chooses a device whose name or platform name contains options->device (case ignored). Prefers devices that the
-// options allow, then a whole name, then GPUs, then devices with equal bits. A device without a verdict counts as one
-// with equal bits; opencl_open tests it. Fails with SCREE_ERROR_NO_DEVICE if no device is found or the best is not
-// allowed.
+// Chooses a device whose name or platform name contains options->device (case ignored). "#2" at its end chooses among devices
+// with number 2. Prefers devices that the options allow, then a whole name, then GPUs, then devices with equal bits. A device
+// without a verdict counts as one with equal bits; opencl_open tests it. Fails with SCREE_ERROR_NO_DEVICE if no device is found
+// or the best is not allowed.
 scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif
