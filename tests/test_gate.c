@@ -71,6 +71,34 @@ static scree_status create(bool allow_unequal_bits)
 	return status;
 }
 
+static scree_status create_batch(scree_world* template)
+{
+	scree_batch_def def = scree_batch_def_default();
+	def.templates = &template;
+	def.template_count = def.worlds = 1;
+	def.device = second_device;
+	scree_batch* batch;
+	scree_status status = scree_batch_create(&def, &batch);
+	scree_batch_destroy(batch);
+	return status;
+}
+
+// The first batch tests the device, if no world has done so.
+static void first_batch_tests(void** state)
+{
+	(void)state;
+	NEEDS_SECOND_DEVICE();
+	scree_world* world = open_pile("cpu", true);
+	OK(create_batch(world));
+	assert_true(device_now().equal_bits && device_now().tested && device_now().tested_worlds >= 5);
+	forget_all();
+	arithmetic_setting.fused = true;
+	assert_int_equal(create_batch(world), SCREE_ERROR_NO_DEVICE);
+	assert_non_null(strstr(scree_error(), " is refused: it computes "));
+	assert_true(device_now().tested && !device_now().equal_bits);
+	scree_world_destroy(world);
+}
+
 static Word results[ARITHMETIC_RESULTS];
 
 // Computes all results on the CPU, which flushes denormals if `flush` is true.
@@ -200,6 +228,7 @@ static void fused_products_are_found(void** state)
 	assert_int_equal(warning_count, 1);
 	scree_world* world = open_pile("cpu", true);
 	assert_int_equal(scree_world_move(world, second_device), SCREE_ERROR_NO_DEVICE);
+	assert_int_equal(create_batch(world), SCREE_ERROR_NO_DEVICE);
 	scree_world_destroy(world);
 
 	setenv("SCREE_AUTO", second_device, 1);
@@ -368,10 +397,11 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, begin, end)
 	const struct CMUnitTest tests[] = {
-	    TEST(results_are_compared),    TEST(simplified_zeros_pass),        TEST(first_world_tests),
-	    TEST(flushing_passes),         TEST(fused_products_are_found),     TEST(no_device_is_a_gpu),
-	    TEST(worlds_find_differences), TEST(wrong_quotients_are_replaced), TEST(verdicts_are_stored),
-	    TEST(commands_print_verdicts), TEST(bad_names_are_refused),        TEST(test_is_quick),
+	    TEST(results_are_compared), TEST(simplified_zeros_pass),   TEST(first_world_tests),
+	    TEST(first_batch_tests),    TEST(flushing_passes),         TEST(fused_products_are_found),
+	    TEST(no_device_is_a_gpu),   TEST(worlds_find_differences), TEST(wrong_quotients_are_replaced),
+	    TEST(verdicts_are_stored),  TEST(commands_print_verdicts), TEST(bad_names_are_refused),
+	    TEST(test_is_quick),
 	};
 	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

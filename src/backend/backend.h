@@ -33,6 +33,7 @@ typedef struct
 	bool allow_unequal_bits, timings;
 	float device_timeout;       // OpenCL: scree_world_def.device_timeout, s
 	bool gpu;                   // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
+	bool batch;                 // OpenCL: the device gets the worlds of a batch
 	const scree_opengl* opengl; // OpenGL context with which memory is shared, or null
 	const scree_tasks* tasks;   // scree_world_def.tasks
 	TestWorlds* test;           // OpenCL: test of a device without a verdict; null: it is not tested

@@ -100,7 +100,7 @@ static scree_status read_templates(scree_batch* batch, const scree_batch_def* de
 	return SCREE_OK;
 }
 
-static scree_status open_device(const scree_batch_def* def, int threads, Backend** backend)
+static scree_status open_device(const scree_batch_def* def, int threads, TestWorlds* test, Backend** backend)
 {
 	scree_world_def world = scree_world_def_default();
 	world.device = def->device;
@@ -109,7 +109,7 @@ static scree_status open_device(const scree_batch_def* def, int threads, Backend
 	world.allow_unequal_bits = def->allow_unequal_bits;
 	world.device_timeout = def->device_timeout;
 	world.timings = def->timings;
-	return device_open(&world, NULL, backend);
+	return device_open_batch(&world, test, backend);
 }
 
 // Returns the number of worlds of a block on a CPU: each worker gets as many blocks as the others.
@@ -153,6 +153,7 @@ typedef struct // settings with which the blocks of a batch are opened
 {
 	scree_batch* batch;
 	const scree_batch_def* def;
+	TestWorlds* test;
 	int threads; // number of threads of a device
 } BlockPlan;
 
@@ -161,14 +162,14 @@ static scree_status open_block(Block* block, const void* context)
 	const BlockPlan* plan = context;
 	const scree_batch* batch = plan->batch;
 	Backend* backend;
-	TRY(open_device(plan->def, plan->threads, &backend));
+	TRY(open_device(plan->def, plan->threads, plan->test, &backend));
 	TRY(block_open(block, backend, batch->templates, batch->template_count, batch->template_of, batch->next_of,
 	               &batch->order, block->first, block->worlds, plan->def->contact_limit));
 	block->request.timings = batch->timings;
 	return SCREE_OK;
 }
 
-static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, const char* function)
+static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, const char* function, TestWorlds* test)
 {
 	bool cpu = strcmp(def->device, "cpu") == 0;
 	int cores = processor_cores(), workers = def->threads > 0      ? def->threads
@@ -186,11 +187,11 @@ static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, 
 		if (!batch->threads)
 			return SCREE_ERROR_OUT_OF_MEMORY;
 	}
-	BlockPlan plan = {.batch = batch, .def = def, .threads = cpu ? 1 : def->threads};
+	BlockPlan plan = {.batch = batch, .def = def, .test = test, .threads = cpu ? 1 : def->threads};
 	return batch_each(batch, open_block, &plan);
 }
 
-scree_status batch_create(const scree_batch_def* def, const char* function, scree_batch** batch)
+scree_status batch_create(const scree_batch_def* def, const char* function, TestWorlds* test, scree_batch** batch)
 {
 	*batch = NULL;
 	scree_batch* made = scree_allocate(sizeof *made);
@@ -215,7 +216,7 @@ scree_status batch_create(const scree_batch_def* def, const char* function, scre
 	if (status == SCREE_OK)
 		status = order_open(&made->order, made->templates, made->template_count, made->template_of, made->worlds);
 	if (status == SCREE_OK)
-		status = open_blocks(made, def, function);
+		status = open_blocks(made, def, function, test);
 	if (status == SCREE_OK)
 		*batch = made;
 	else

@@ -22,8 +22,8 @@ struct scree_batch
 	double milliseconds; // duration of the last call that took steps; with timings
 };
 
-// Makes a batch. The arguments are checked. On failure *batch is null.
-scree_status batch_create(const scree_batch_def* def, const char* function, scree_batch** batch);
+// Makes a batch. The arguments are checked. An OpenCL device without a verdict is tested with `test`. On failure *batch is null.
+scree_status batch_create(const scree_batch_def* def, const char* function, TestWorlds* test, scree_batch** batch);
 void batch_destroy(scree_batch* batch);
 
 // Makes memory for the gravity of each world, at first that of its template.

@@ -285,13 +285,15 @@ static scree_status open_device(Backend* b, const BackendOptions* options, const
 	d->persistent.any_size = d->form == FORM_RELAY || d->form == FORM_TILES;
 	d->resident = d->persistent.any_size || (d->form == FORM_ANY && !cpu);
 	char program_options[PROGRAM_OPTIONS], arithmetic[ARITHMETIC_OPTIONS];
-	// PoCL compiles a kernel at its first launch, so unused kernels cost no time, and all worlds can share one program
-	bool resident = d->resident || d->device.compiles_at_launch;
+	// PoCL compiles a kernel at its first launch, so unused kernels cost no time, and all worlds can share one program.
+	// Other devices have a program for worlds alone, which are slower with the code for batches.
+	bool resident = d->resident || d->device.compiles_at_launch,
+	     alone = !options->batch && !d->device.compiles_at_launch;
 	bool tiles = d->device.local_memory >= TILE_MEMORY;
 	arithmetic_options(d->device.own_rounding, arithmetic);
-	snprintf(program_options, sizeof program_options, "%s%s%s%s%s", resident ? " -DRESIDENT" : "",
+	snprintf(program_options, sizeof program_options, "%s%s%s%s%s%s", resident ? " -DRESIDENT" : "",
 	         resident && tiles ? " -DTILES" : "", d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "",
-	         arithmetic);
+	         alone ? " -DALONE" : "", arithmetic);
 	TRY(context_open(d, program_options, options->opengl));
 	cl_int error;
 	CREATE(d->failure, d->queue, error, CommandQueue, d->context, d->device.id,

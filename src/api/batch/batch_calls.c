@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // batch_calls.c -- creates, steps, resets and hashes batches for the user.
 #include "api/batch/batch_check.h"
+#include "api/world/device_test.h"
 #include "platform/processor.h"
 #include "step/bay_layout.h"
 #include "world/definition.h"
@@ -70,7 +71,7 @@ scree_status api_batch_create(const scree_batch_def* def, scree_batch** batch)
 #ifndef SCREE_SMALL // a build for WebAssembly has no self test
 	TRY(cpu_self_test(function));
 #endif
-	return batch_create(def, function, batch);
+	return batch_create(def, function, TEST_WORLDS, batch);
 }
 
 void scree_batch_destroy(scree_batch* batch)

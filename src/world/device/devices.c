@@ -37,30 +37,44 @@ int devices_list(scree_device* devices, int capacity)
 // Returns the part of a name such as "opencl:NAME" after the colon, or null.
 static const char* part_of(const char* device) { return device[6] ? device + 7 : NULL; }
 
+static BackendOptions options_of(const scree_world_def* def, TestWorlds* test)
+{
+	return (BackendOptions){.threads = def->threads,
+	                        .lanes = def->lanes,
+	                        .allow_unequal_bits = def->allow_unequal_bits,
+	                        .timings = def->timings,
+	                        .device_timeout = def->device_timeout,
+	                        .opengl = def->opengl,
+	                        .tasks = def->tasks,
+	                        .test = test};
+}
+
+static scree_status open_named(BackendOptions* options, const char* device, Backend** backend)
+{
+	if (strncmp(device, "opencl", 6) != 0)
+		return cpu_open(options, backend);
+	options->device = part_of(device);
+	return opencl_open(options, backend);
+}
+
 scree_status device_open(const scree_world_def* def, TestWorlds* test, Backend** backend)
 {
-	BackendOptions options = {.threads = def->threads,
-	                          .lanes = def->lanes,
-	                          .allow_unequal_bits = def->allow_unequal_bits,
-	                          .timings = def->timings,
-	                          .device_timeout = def->device_timeout,
-	                          .opengl = def->opengl,
-	                          .tasks = def->tasks,
-	                          .test = test};
-	if (strncmp(def->device, "opencl", 6) != 0)
-		return cpu_open(&options, backend);
-	options.device = part_of(def->device);
-	return opencl_open(&options, backend);
+	BackendOptions options = options_of(def, test);
+	return open_named(&options, def->device, backend);
+}
+
+scree_status device_open_batch(const scree_world_def* def, TestWorlds* test, Backend** backend)
+{
+	BackendOptions options = options_of(def, test);
+	options.batch = true;
+	return open_named(&options, def->device, backend);
 }
 
 scree_status device_open_gpu(const scree_world_def* def, TestWorlds* test, Backend** backend)
 {
-	BackendOptions options = {.timings = def->timings,
-	                          .device_timeout = def->device_timeout,
-	                          .gpu = true,
-	                          .opengl = def->opengl,
-	                          .tasks = def->tasks,
-	                          .test = test};
+	BackendOptions options = options_of(def, test);
+	options.gpu = true;
+	options.allow_unequal_bits = false;
 	return opencl_open(&options, backend);
 }
 
