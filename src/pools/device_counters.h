@@ -12,10 +12,17 @@ typedef struct // places of the constraints of a kind; a place is an index into 
 	int last[COLORS + 2];  // index after the last sorted key of each color
 } KindLayout;
 
-typedef struct // counters that step_begin clears: their values before, which an abandoned step restores
-{
-	int presses, ways, belts, press[2], penetration, joint_gap;
-} ClearedCounters;
+// Lists the counters that step_begin clears and an abandoned step restores, each as X(member).
+#define CLEARED_COUNTERS(X) \
+	X(presses)              \
+	X(ways)                 \
+	X(belts)                \
+	X(press[0])             \
+	X(press[1])             \
+	X(penetration)          \
+	X(joint_gap)            \
+	X(boxes_copied)
+#define CLEARED_ONE(member) +1
 
 typedef struct // all members are ints, so Run.count can identify a counter by its position
 {
@@ -98,6 +105,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int joints_dirty;     // INT_MAX if a joint or an exclusion changed, or a joint broke, since the last step; else 0
 	int joined_dirty;     // joints_dirty at the start of the step, without the joints of joints_copied
 	int joints_copied;    // 1 if copies of worlds brought joints whose constraints must begin or end
+	int boxes_copied;     // INT_MAX if copies of worlds brought other boxes or kinds of collidables, else 0
 	int overflow_first, overflow; // joints with neither color nor chain: first index in the sorted keys; number
 	int joined;                   // number of pairs of bodies that joints or the user keep from touching
 	int joint_events;             // number of joints whose force or torque exceeded a threshold in the step
@@ -105,7 +113,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int waiting, refused, asked;            // contacts: pending with points; refused or passing; listed for approval
 	int holds;                              // INT_MAX if `waiting` is not 0, else 0
 	int moved_bodies;                       // number of bodies whose pose differs from the last one that the user read
-	ClearedCounters cleared;
+	int cleared[CLEARED_COUNTERS(CLEARED_ONE)]; // values of these counters before the step
 	int fault; // FAULT_* if the device failed in a run, else 0; the backend reads it with the other counters
 } Counters;
 

@@ -191,7 +191,6 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	pipeline->split = false;
 	pipeline->edited = true;
 	pipeline->counters.changed = 1; // the next step must not begin its solve before it has read the counters
-	tree_touch(pipeline, 0);
 	return SCREE_OK;
 }
 

@@ -88,12 +88,16 @@ KERNEL(bay_copy_collidable)
 	const Bays* bays = &p->step.bays;
 	int n = bay_of_collidable(p, i);
 	BayCopy c = bay_copy(p, n, i - n * bays->collidables, bays->collidables);
+	Float4 box_before = p->box[c.to];
+	int kind_before = p->collidable_kind[c.to];
 	item_move(p, PER_COLLIDABLE, c.to, c.from);
 	if (p->collidable_body[c.to] >= 0)
 		p->collidable_body[c.to] += c.body;
 	if (p->next_collidable[c.to] > 0)
 		p->next_collidable[c.to] += c.collidable;
 	p->world_shape[c.to].body += c.body;
+	if (c.live && (!box_equal(p->box[c.to], box_before) || p->collidable_kind[c.to] != kind_before))
+		raise_int(&p->counters->boxes_copied, 0x7fffffff);
 	if (c.live && p->step.sleep)
 		active_touch(p, GROUPS_OF_COLLIDABLES, c.to);
 }

@@ -14,28 +14,20 @@
 // Keeps the counters that the start of a step clears, for an abandoned step, or restores them.
 INLINE void counters_keep(const Pools* p)
 {
-	const GLOBAL Counters* c = p->counters;
-	GLOBAL ClearedCounters* to = &p->counters->cleared;
-	to->presses = c->presses;
-	to->ways = c->ways;
-	to->belts = c->belts;
-	to->press[0] = c->press[0];
-	to->press[1] = c->press[1];
-	to->penetration = c->penetration;
-	to->joint_gap = c->joint_gap;
+	GLOBAL Counters* c = p->counters;
+	int k = 0;
+#define KEEP(member) c->cleared[k++] = c->member;
+	CLEARED_COUNTERS(KEEP)
+#undef KEEP
 }
 
 INLINE void counters_restore(const Pools* p)
 {
-	const GLOBAL ClearedCounters* from = &p->counters->cleared;
 	GLOBAL Counters* c = p->counters;
-	c->presses = from->presses;
-	c->ways = from->ways;
-	c->belts = from->belts;
-	c->press[0] = from->press[0];
-	c->press[1] = from->press[1];
-	c->penetration = from->penetration;
-	c->joint_gap = from->joint_gap;
+	int k = 0;
+#define RESTORE(member) c->member = c->cleared[k++];
+	CLEARED_COUNTERS(RESTORE)
+#undef RESTORE
 }
 
 KERNEL(step_begin)
@@ -44,7 +36,8 @@ KERNEL(step_begin)
 	counters_keep(p);
 	c->alive = c->alive - c->released;
 	c->updated_boxes = 0;
-	c->refit = 0;
+	c->refit = c->boxes_copied;
+	c->boxes_copied = 0;
 	for (int level = 0; level < MAX_LEVELS; ++level)
 		c->stale_nodes[level] = 0;
 	c->jumped = 0;

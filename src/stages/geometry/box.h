@@ -21,6 +21,8 @@ INLINE int box_contains(Float4 outer, Float4 inner)
 	return outer.x <= inner.x && outer.y <= inner.y && inner.z <= outer.z && inner.w <= outer.w;
 }
 
+INLINE int box_equal(Float4 a, Float4 b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; }
+
 INLINE Float4 box_grow(Float4 b, float by) { return make_float4(b.x - by, b.y - by, b.z + by, b.w + by); }
 
 INLINE Float4 box_union(Float4 a, Float4 b)
