@@ -21,7 +21,8 @@ static float* memory_of(const Block* block, int which, int row)
 // Returns a run over groups of channels, from `begin` on, of `rows` worlds. bits: CHANNEL_*.
 static Run groups_run(int kernel, int which, int bits, int rows, int begin, int end)
 {
-	return (Run){kernel, begin * rows, end * rows, NO_COUNT, RUN_PAIR(which | bits, rows)};
+	int groups = end - begin;
+	return (Run){kernel, 0, groups * rows, NO_COUNT, RUN_PAIR(which | bits, CHANNEL_GROUPS(begin, groups))};
 }
 
 // Computes the places of all lists. Returns the numbers of channels, of groups and of columns.
@@ -113,6 +114,14 @@ static bool has_angles_only(const Block* block)
 	return set->ray_group > set->joint_group;
 }
 
+// Writes the touches of `rows` worlds that are new, before their first step. bits: CHANNEL_*.
+static scree_status write_touches(Block* block, int bits, int rows)
+{
+	const ChannelSet* set = block->sets + CHANNELS_OUTPUTS;
+	Run run = groups_run(KERNEL_channel_touch, CHANNELS_OUTPUTS, bits, rows, set->touch_group, set->joint_group);
+	return bays_run_all(&block->pipeline, &run, 1);
+}
+
 scree_status block_bind(Block* block, const ChannelSet* sets, int templates)
 {
 	Backend* b = block->backend;
@@ -137,8 +146,7 @@ scree_status block_bind(Block* block, const ChannelSet* sets, int templates)
 	if (block->outputs == outputs->channels)
 		return SCREE_OK;
 	block->outputs = outputs->channels;
-	Run run = groups_run(KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_BEGINS, p->live_bays, 0, outputs->joint_group);
-	return bays_run_all(p, &run, 1);
+	return write_touches(block, 0, p->live_bays);
 }
 
 // Applies inputs to `rows` worlds: those of list `which`.
@@ -269,21 +277,10 @@ scree_status block_apply_again(Block* block)
 
 void block_aim(Block* block, bool first)
 {
-	int live = block->pipeline.live_bays;
-	bool aims = first && block->request.dt > 0.0f && block->sets && block->sets[CHANNELS_STEP].aims;
-	block->request.targets = aims ? block->sets[CHANNELS_STEP].joint_group * live : 0;
-	block->request.aims = RUN_PAIR(CHANNELS_STEP, live);
-}
-
-// Writes the touches of the worlds of the first entries of the pool bay_copy.
-static scree_status begin_touches(Block* block, int copies)
-{
-	const ChannelSet* outputs = block->sets + CHANNELS_OUTPUTS;
-	if (!outputs->touches)
-		return SCREE_OK;
-	Run run = groups_run(KERNEL_channel_body, CHANNELS_OUTPUTS, CHANNEL_COPIES | CHANNEL_BEGINS, copies, 0,
-	                     outputs->joint_group);
-	return bays_run_all(&block->pipeline, &run, 1);
+	const ChannelSet* set = block->sets ? block->sets + CHANNELS_STEP : NULL;
+	int groups = first && block->request.dt > 0.0f && set && set->aims ? set->joint_group : 0;
+	block->request.targets = groups * block->pipeline.live_bays;
+	block->request.aims = RUN_PAIR(CHANNELS_STEP, CHANNEL_GROUPS(0, groups));
 }
 
 scree_status block_apply_reset(Block* block, int resets)
@@ -302,7 +299,7 @@ scree_status block_apply_reset(Block* block, int resets)
 	if (set->count > 0)
 		TRY(b->f->write(b, POOL_column, block->lists[CHANNELS_RESET].column, resets * set->columns, block->converted));
 	TRY(apply(block, CHANNELS_RESET, CHANNEL_COPIES, resets));
-	return begin_touches(block, resets);
+	return write_touches(block, CHANNEL_COPIES, resets);
 }
 
 scree_status block_begin_touches(Block* block, int copies)
@@ -315,7 +312,7 @@ scree_status block_begin_touches(Block* block, int copies)
 	if (!block->sets || !block->sets[CHANNELS_OUTPUTS].touches || running == 0)
 		return SCREE_OK;
 	TRY(b->f->write(b, POOL_bay_copy, 0, running, block->copies));
-	return begin_touches(block, running);
+	return write_touches(block, CHANNEL_COPIES, running);
 }
 
 scree_status block_write_outputs(Block* block)
@@ -325,11 +322,12 @@ scree_status block_write_outputs(Block* block)
 	if (!set || set->count == 0)
 		return SCREE_OK;
 	int rows = block->worlds, live = block->pipeline.live_bays, joints = set->joint_group, rays = set->ray_group;
-	Run runs[] = {groups_run(KERNEL_channel_body, CHANNELS_OUTPUTS, 0, live, 0, joints),
+	Run runs[] = {groups_run(KERNEL_channel_body, CHANNELS_OUTPUTS, 0, live, 0, set->touch_group),
+	              groups_run(KERNEL_channel_touch, CHANNELS_OUTPUTS, 0, live, set->touch_group, joints),
 	              groups_run(KERNEL_channel_joint, CHANNELS_OUTPUTS, 0, live, joints, rays),
 	              groups_run(KERNEL_channel_ray, CHANNELS_OUTPUTS, 0, live, rays, set->groups)};
 	if (block->angles)
-		runs[1] = (Run){KERNEL_channel_angles, joints * padded(live), rays * padded(live), NO_COUNT,
+		runs[2] = (Run){KERNEL_channel_angles, joints * padded(live), rays * padded(live), NO_COUNT,
 		                RUN_PAIR(CHANNELS_OUTPUTS, live)};
 	TRY(bays_run_all(&block->pipeline, runs, sizeof runs / sizeof *runs));
 	if (set->shared)

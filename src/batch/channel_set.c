@@ -10,12 +10,20 @@
 
 #define BOUND_ROWS 16
 
+typedef enum // kinds of groups, in their order; a kernel processes each
+{
+	OF_BODIES, // channels of a body, a collidable or the world
+	OF_TOUCHES,
+	OF_JOINTS,
+	OF_RAYS
+} PartClass;
+
 typedef struct // a part of a channel of the user: the whole channel, or one ray of a fan
 {
-	int from;        // number of the channel
-	int ray;         // number of the ray
-	int column;      // first column
-	int class;       // 0: body or collidable; 1: joint; 2: ray
+	int from;   // number of the channel
+	int ray;    // number of the ray
+	int column; // first column
+	PartClass class;
 	uint64_t object; // generation and index of the object
 } Part;
 
@@ -23,7 +31,7 @@ static int compare_parts(const void* x, const void* y)
 {
 	const Part *a = x, *b = y;
 	if (a->class != b->class)
-		return a->class - b->class;
+		return (int)a->class - (int)b->class;
 	if (a->object != b->object)
 		return a->object < b->object ? -1 : 1;
 	return a->from != b->from ? a->from - b->from : a->ray - b->ray;
@@ -35,6 +43,13 @@ static uint64_t handle_bits(uint32_t index, uint32_t generation) { return (uint6
 // Returns the number of parts that kernels process. Parameters are applied by the host.
 static int parts_of(const scree_channel* c) { return channel_is_parameter((int)c->kind) ? 0 : channel_parts(c); }
 
+static PartClass class_of(scree_channel_kind kind)
+{
+	if (kind == SCREE_OUTPUT_RAYS || kind == SCREE_OUTPUT_TOUCH)
+		return kind == SCREE_OUTPUT_RAYS ? OF_RAYS : OF_TOUCHES;
+	return channel_of_joint(kind) ? OF_JOINTS : OF_BODIES;
+}
+
 // Lists the parts in the order of groups. Touches and rays are groups of their own, because each takes long.
 static void list_parts(Part* parts, const scree_channel* channels, int count)
 {
@@ -42,14 +57,13 @@ static void list_parts(Part* parts, const scree_channel* channels, int count)
 	for (int k = 0; k < count; ++k)
 	{
 		const scree_channel* c = channels + k;
-		bool ray = c->kind == SCREE_OUTPUT_RAYS;
 		for (int r = 0; r < parts_of(c); ++r, ++n)
 		{
-			parts[n] = (Part){.from = k, .ray = r, .column = column + r, .class = ray ? 2 : channel_of_joint(c->kind)};
-			parts[n].object = parts[n].class == 1 ? handle_bits(c->joint.index, c->joint.generation)
-			                                      : handle_bits(c->body.index, c->body.generation);
-			if (ray || c->kind == SCREE_OUTPUT_TOUCH)
-				parts[n].object = UINT64_MAX / 2 + (uint64_t)n;
+			parts[n] = (Part){.from = k, .ray = r, .column = column + r, .class = class_of(c->kind)};
+			parts[n].object = parts[n].class == OF_JOINTS ? handle_bits(c->joint.index, c->joint.generation)
+			                                              : handle_bits(c->body.index, c->body.generation);
+			if (parts[n].class == OF_RAYS || parts[n].class == OF_TOUCHES)
+				parts[n].object = (uint64_t)n;
 		}
 		column += channel_columns(c);
 	}
@@ -58,14 +72,15 @@ static void list_parts(Part* parts, const scree_channel* channels, int count)
 
 static void find_groups(ChannelSet* set, const Part* parts, int count)
 {
-	set->groups = set->joint_group = set->ray_group = 0;
+	set->groups = set->touch_group = set->joint_group = set->ray_group = 0;
 	for (int n = 0; n < count; ++n)
 	{
 		if (n > 0 && parts[n].class == parts[n - 1].class && parts[n].object == parts[n - 1].object)
 			continue;
 		set->group[set->groups++] = n;
-		set->joint_group += parts[n].class < 1;
-		set->ray_group += parts[n].class < 2;
+		set->touch_group += parts[n].class < OF_TOUCHES;
+		set->joint_group += parts[n].class < OF_JOINTS;
+		set->ray_group += parts[n].class < OF_RAYS;
 	}
 	set->group[set->groups] = count;
 }

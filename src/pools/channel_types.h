@@ -17,7 +17,10 @@
 #define CHANNEL_AIMS \
 	16 // only targets act: bodies get the velocity to reach them; with CHANNEL_ARRIVES they stop instead
 #define CHANNEL_ARRIVES 32 // only targets act: bodies are placed after the step
-#define CHANNEL_BEGINS  64 // outputs: only touches, those before the first step or after a reset
+
+// Second part of the argument: first group, and number of groups.
+#define CHANNEL_FIRST                4096 // groups of a list are at most as many as columns (MOST_COLUMNS)
+#define CHANNEL_GROUPS(first, count) ((first) + CHANNEL_FIRST * (count))
 
 // Bits of Channel.which for touches.
 #define TOUCH_BODY       1 // `item` is a body, whose collidables all count

@@ -32,7 +32,7 @@ INLINE JointFrame channel_frames(const Pools* p, Int slot, int side, Int body)
 }
 
 // Item: LANES worlds of a group of outputs, all angles of one joint or speeds of this angle. All worlds have the same
-// template. argument: as in channel_group; the rows of each group are padded to a multiple of MAX_LANES.
+// template. argument: RUN_PAIR(list, rows); the rows of each group are padded to a multiple of MAX_LANES.
 WIDE_KERNEL(channel_angles)
 {
 	int rows = RUN_HIGH(p->argument), padded = (rows + MAX_LANES - 1) / MAX_LANES * MAX_LANES;

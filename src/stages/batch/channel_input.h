@@ -15,11 +15,13 @@ typedef struct // a group of channels in a bay: all channels of one object, in t
 	GLOBAL float* row;
 } ChannelGroup;
 
-// Returns the group and the bay of item i: number of the group * rows + number of the row. argument:
-// RUN_PAIR(list | CHANNEL_* bits, rows). Inputs of a reset have a row for each copy, other lists one for each world.
+// Returns the group and the bay of item i: number of the row * groups + number of the group, so that work-items next to each other
+// read values of one world, and write to one row. argument: RUN_PAIR(list | CHANNEL_* bits, CHANNEL_GROUPS). Inputs of a reset have a
+// row for each copy, other lists one for each world.
 INLINE ChannelGroup channel_group(const Pools* p, int i)
 {
-	int rows = RUN_HIGH(p->argument), group = i / rows, n = i - group * rows, low = RUN_LOW(p->argument);
+	int groups = RUN_HIGH(p->argument) / CHANNEL_FIRST, first = RUN_HIGH(p->argument) % CHANNEL_FIRST;
+	int n = i / groups, group = first + i - n * groups, low = RUN_LOW(p->argument);
 	ChannelList list = p->channel_list[low & CHANNEL_LIST];
 	ChannelGroup at;
 	at.bay = low & CHANNEL_COPIES ? p->bay_copy[n].y : n;

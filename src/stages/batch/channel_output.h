@@ -45,17 +45,81 @@ INLINE float channel_rest(const Pools* p, int body)
 // Returns whether a contact has a collidable or body as its first one (x) or its second one (y), as bits 1 and 2.
 INLINE int channel_ends(Int2 ends, int item) { return (ends.x == item) | (ends.y == item) << 1; }
 
-// Writes the number of touches of a collidable or body (with `other` only, unless it is -1), 1 if there were none in the
-// outputs before, and the sum of their normal impulses in the last substep, in the order of slots.
-INLINE void channel_touch(const Pools* p, const GLOBAL Channel* c, int bay, GLOBAL float* to)
+// Writes zeros to an output whose object the template lacks; another template of the world may have left other values.
+INLINE void channel_nothing(const GLOBAL Channel* c, GLOBAL float* to)
 {
+	for (int k = 0; k < c->missing; ++k)
+		to[k] = 0.0f;
+}
+
+// Writes a value of a world.
+INLINE void channel_world(const Pools* p, int kind, int bay, GLOBAL float* to)
+{
+	BayState state = p->bay_state[bay];
+	if (kind == CHANNEL_GET_NOT_FINITE)
+		to[0] = state.nonfinite > 0 ? 1.0f : 0.0f;
+	else
+		to[0] = bits_float(kind == CHANNEL_GET_OVERLAP ? state.penetration : state.joint_gap);
+}
+
+// Item: a group of outputs of bodies, collidables and the world in a live bay. argument: as in channel_group.
+KERNEL(channel_body)
+{
+	ChannelGroup at = channel_group(p, i);
+	for (int k = at.first; k < at.end; ++k)
+	{
+		const GLOBAL Channel* c = at.channels + k;
+		GLOBAL float* to = at.row + c->column;
+		int first = at.bay * p->step.bays.bodies;
+		switch (c->kind)
+		{
+		case CHANNEL_KINDS:
+			channel_nothing(c, to);
+			break;
+		case CHANNEL_GET_POSE:
+			channel_write4(to, reported_origin(p, first + c->item));
+			break;
+		case CHANNEL_GET_VELOCITY:
+			channel_velocity(p, first + c->item, to);
+			break;
+		case CHANNEL_GET_RELATIVE_POSE:
+			channel_write4(to, channel_relative(p, first + c->item, first + c->other));
+			break;
+		case CHANNEL_GET_REST:
+			to[0] = channel_rest(p, first + c->item);
+			break;
+		case CHANNEL_GET_SENSOR_COUNT:
+			to[0] = (float)visit_count(p, at.bay, c->item);
+			break;
+		case CHANNEL_GET_OVERLAP:
+		case CHANNEL_GET_JOINT_GAP:
+		case CHANNEL_GET_NOT_FINITE:
+			channel_world(p, c->kind, at.bay, to);
+			break;
+		}
+	}
+}
+
+// Item: an output of touches in a live bay. argument: as in channel_group. Writes the number of touches of a collidable or body
+// (with `other` only, unless it is -1), 1 if there were none in the outputs before, and the sum of their normal impulses in the last
+// substep, in the order of slots.
+KERNEL(channel_touch)
+{
+	ChannelGroup at = channel_group(p, i);
+	const GLOBAL Channel* c = at.channels + at.first;
+	GLOBAL float* to = at.row + c->column;
+	if (c->kind == CHANNEL_KINDS)
+	{
+		channel_nothing(c, to);
+		return;
+	}
 	const Bays* bays = &p->step.bays;
 	int bits = bays->contact_bits, touches = 0, whole = c->which & TOUCH_BODY,
 	    whole_other = c->which & TOUCH_OTHER_BODY;
-	int item = c->item + bay * (whole ? bays->bodies : bays->collidables);
-	int other = c->other < 0 ? -1 : c->other + bay * (whole_other ? bays->bodies : bays->collidables);
+	int item = c->item + at.bay * (whole ? bays->bodies : bays->collidables);
+	int other = c->other < 0 ? -1 : c->other + at.bay * (whole_other ? bays->bodies : bays->collidables);
 	float sum = 0.0f;
-	for (int slot = bay << bits; slot < (bay + 1) << bits; ++slot)
+	for (int slot = at.bay << bits; slot < (at.bay + 1) << bits; ++slot)
 	{
 		Int2 pair = p->pair[slot];
 		if (pair.x < 0)
@@ -80,67 +144,6 @@ INLINE void channel_touch(const Pools* p, const GLOBAL Channel* c, int bay, GLOB
 	to[1] = touches > 0 && to[0] == 0.0f ? 1.0f : 0.0f;
 	to[0] = (float)touches;
 	to[2] = flush_tiny(sum);
-}
-
-// Writes zeros to an output whose object the template lacks; another template of the world may have left other values.
-INLINE void channel_nothing(const GLOBAL Channel* c, GLOBAL float* to)
-{
-	for (int k = 0; k < c->missing; ++k)
-		to[k] = 0.0f;
-}
-
-// Writes a value of a world.
-INLINE void channel_world(const Pools* p, int kind, int bay, GLOBAL float* to)
-{
-	BayState state = p->bay_state[bay];
-	if (kind == CHANNEL_GET_NOT_FINITE)
-		to[0] = state.nonfinite > 0 ? 1.0f : 0.0f;
-	else
-		to[0] = bits_float(kind == CHANNEL_GET_OVERLAP ? state.penetration : state.joint_gap);
-}
-
-// Item: a group of outputs of bodies, collidables and the world in a live bay. argument: as in channel_group. With
-// CHANNEL_BEGINS, writes touches only: those before the first step, or after a reset.
-KERNEL(channel_body)
-{
-	ChannelGroup at = channel_group(p, i);
-	for (int k = at.first; k < at.end; ++k)
-	{
-		const GLOBAL Channel* c = at.channels + k;
-		GLOBAL float* to = at.row + c->column;
-		int first = at.bay * p->step.bays.bodies;
-		if (RUN_LOW(p->argument) & CHANNEL_BEGINS && c->kind != CHANNEL_GET_TOUCH)
-			continue;
-		switch (c->kind)
-		{
-		case CHANNEL_KINDS:
-			channel_nothing(c, to);
-			break;
-		case CHANNEL_GET_POSE:
-			channel_write4(to, reported_origin(p, first + c->item));
-			break;
-		case CHANNEL_GET_VELOCITY:
-			channel_velocity(p, first + c->item, to);
-			break;
-		case CHANNEL_GET_RELATIVE_POSE:
-			channel_write4(to, channel_relative(p, first + c->item, first + c->other));
-			break;
-		case CHANNEL_GET_REST:
-			to[0] = channel_rest(p, first + c->item);
-			break;
-		case CHANNEL_GET_TOUCH:
-			channel_touch(p, c, at.bay, to);
-			break;
-		case CHANNEL_GET_SENSOR_COUNT:
-			to[0] = (float)visit_count(p, at.bay, c->item);
-			break;
-		case CHANNEL_GET_OVERLAP:
-		case CHANNEL_GET_JOINT_GAP:
-		case CHANNEL_GET_NOT_FINITE:
-			channel_world(p, c->kind, at.bay, to);
-			break;
-		}
-	}
 }
 
 // Returns the rotation of a frame of a joint in the world, without its position.
