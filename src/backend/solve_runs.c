@@ -68,13 +68,16 @@ void solve_slack(const Solve* solve, RunList* list)
 void solve_list(const Solve* solve, RunList* list)
 {
 	int bound = solve->bound, bodies = solve_bodies(solve);
-	runs_add(list, KERNEL_solve_begin, 0, bodies, solve->visited, 0);
-	if (solve->taut)
+	// without colored joints nothing is raised, but body_taut also clears the counter; with sleep, only it visits body 0 in each step
+	bool colored = solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS] > 0, sleeps = solve->visited != bound;
+	bool taut = solve->taut && (colored || sleeps);
+	runs_add(list, KERNEL_solve_begin, 0, bodies, solve->visited, solve->taut && !taut);
+	if (taut)
 		solve_taut(solve, list);
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
 		int constraints = solve->counters->layout[kind].begin[COLORS + 1];
-		if (kind != CONSTRAINT_JOINT || !solve->taut)
+		if (kind != CONSTRAINT_JOINT || !taut)
 			runs_add(list, kind_info[kind].prepare, 0, constraints, bound, 0);
 		if (solve->rare[kind])
 			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, bound, 0);
@@ -96,7 +99,7 @@ void solve_list(const Solve* solve, RunList* list)
 		runs_add(list, KERNEL_chain_end, 0, solve->chains, bound, 0);
 	if (solve->branches > 0)
 		runs_add(list, KERNEL_branch_end, solve->chains, solve->chains + solve->branches, bound, 0);
-	if (solve->taut)
+	if (taut)
 		solve_slack(solve, list);
 #ifndef SCREE_SMALL
 	if (solve->wide)

@@ -18,7 +18,7 @@ typedef struct
 	int branches; // number of items of a pass over branches; they follow the items of chains
 	bool batch;   // the pools contain the worlds of a batch
 	bool wide;    // they are finalized in lanes
-	bool taut;    // colored joints may pull so hard that bodies need larger inertias for the step
+	bool taut;    // joints may pull so hard that bodies need larger inertias for the step
 	const Counters* counters; // counters on the host; they contain the layout of the constraints
 	int visited;              // counter of the bodies that the solve visits; or NO_COUNT: all
 	int bound; // counter that is 0 if the layout is out of date, so that the device skips the solve; or NO_COUNT

@@ -52,7 +52,7 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	               .carried = pipeline->carried,
 	               .branches = pipeline->branches,
 	               .chain_places = pipeline->chain_places,
-	               .taut = pipeline->taut != 0, // without colored joints too, because body_taut clears the counter
+	               .taut = pipeline->taut != 0,
 	               .batch = OF_BATCH(step),
 	               .wide = OF_BATCH(step) && !step->sleep && !b->distant && b->lanes > 1,
 	               .counters = c,

@@ -271,17 +271,19 @@ KERNEL(color_arrange)
 	// contacts in groups that the step skips have no color
 	if (p->step.sleep && c->arrange[CONSTRAINT_CONTACT] > 0)
 		c->arrange[CONSTRAINT_CONTACT] = c->active_items[GROUPS_OF_CONTACTS];
-	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		if (c->arrange[kind] > 0)
-			c->stale_layout[kind] = c->placed[kind] = 0;
 	if (BATCHED(p) && c->arrange[CONSTRAINT_CONTACT] > 0)
 		c->copied_spokes = 0;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		for (int k = 0; k < COLORS + 2 && c->arrange[kind] > 0; ++k)
+	{
+		if (c->arrange[kind] == 0)
+			continue;
+		c->stale_layout[kind] = c->placed[kind] = 0;
+		for (int k = 0; k < COLORS + 2; ++k)
 		{
 			c->layout[kind].first[k] = 0;
 			c->layout[kind].last[k] = 0;
 		}
+	}
 	(void)i;
 }
 
@@ -358,6 +360,9 @@ INLINE int color_hub(const Pools* p, int i)
 	return p->scan[i] - !begins;
 }
 
+// Number of colors whose keys are counted together, so that a GPU waits for memory once for all of them. A part of COLORS + 1.
+#define RANGE_COLORS 8
+
 // Computes the first place of each color of a kind. If there are too few places, cancels the layout; the host then
 // grows the pools and repeats it.
 INLINE void color_range(const Pools* p, int kind)
@@ -372,21 +377,27 @@ INLINE void color_range(const Pools* p, int kind)
 		c->hubs = 0;
 		c->split = 0;
 	}
-	for (int k = 0; k <= COLORS; ++k)
+	for (int from = 0; from <= COLORS; from += RANGE_COLORS)
 	{
-		int count = layout->last[k] - layout->first[k];
-		layout->begin[k] = begin;
-		layout->count[k] = count;
-		touching += count;
-		if (spokes && k == COLORS && count > 0)
+		int counts[RANGE_COLORS];
+		for (int n = 0; n < RANGE_COLORS; ++n)
+			counts[n] = layout->last[from + n] - layout->first[from + n];
+		for (int n = 0; n < RANGE_COLORS; ++n)
 		{
-			// reserves the spare block of each hub (hub_first)
-			c->hubs = color_hub(p, layout->last[k] - 1) + 1;
-			count += MAX_LANES * (c->hubs + 1);
+			int k = from + n, count = counts[n];
+			layout->begin[k] = begin;
+			layout->count[k] = count;
+			touching += count;
+			if (spokes && k == COLORS && count > 0)
+			{
+				// reserves the spare block of each hub (hub_first)
+				c->hubs = color_hub(p, layout->last[k] - 1) + 1;
+				count += MAX_LANES * (c->hubs + 1);
+			}
+			if (!spokes && k == COLORS)
+				count = p->step.chain_places + c->overflow;
+			begin += (count + COLOR_PADDING - 1) & ~(COLOR_PADDING - 1);
 		}
-		if (!spokes && k == COLORS)
-			count = p->step.chain_places + c->overflow;
-		begin += (count + COLOR_PADDING - 1) & ~(COLOR_PADDING - 1);
 	}
 	layout->begin[COLORS + 1] = begin;
 	if (spokes)

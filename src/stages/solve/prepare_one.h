@@ -17,10 +17,13 @@ INLINE void counters_clear(const Pools* p)
 	p->counters->first_nonfinite = 0x7fffffff;
 }
 
+// argument: 1 to clear Counters.taut too, in place of body_taut.
 KERNEL(solve_begin)
 {
 	if (i == 0)
 		counters_clear(p);
+	if (i == 0 && p->argument)
+		p->counters->taut = 0; // the warm starts of this step set it again
 	i = active_item(p, GROUPS_OF_BODIES, i);
 	GLOBAL BodyState* body = p->body + i;
 	p->base[i] = make_float4(body->vx, body->vy, body->w, 0.0f);
