@@ -70,7 +70,7 @@ void solve_list(const Solve* solve, RunList* list)
 	int bound = solve->bound, bodies = solve_bodies(solve);
 	// without colored joints nothing is raised, but body_taut also clears the counter; with sleep, only it visits body 0 in each step
 	bool colored = solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS] > 0, sleeps = solve->visited != bound;
-	bool taut = solve->taut && (colored || sleeps);
+	bool taut = solve->taut && (SMALL_CODE || colored || sleeps);
 	runs_add(list, KERNEL_solve_begin, 0, bodies, solve->visited, solve->taut && !taut);
 	if (taut)
 		solve_taut(solve, list);

@@ -20,8 +20,7 @@ typedef struct // places of the constraints of a kind; a place is an index into 
 	X(press[0])             \
 	X(press[1])             \
 	X(penetration)          \
-	X(joint_gap)            \
-	X(boxes_copied)
+	X(joint_gap)
 #define CLEARED_ONE(member) +1
 
 typedef struct // all members are ints, so Run.count can identify a counter by its position
@@ -50,9 +49,10 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int bays_search;   // 1 if bay_sleep found a world whose islands are to be searched
 	int bays_settle;   // 1 if it found one whose sleeping islands are to be searched too
 	int copied_spokes; // 1 if a copy of a world contains a spoke, and there was no layout since
-	int hubs;          // number of hubs
-	int split;         // number of spokes if some body is split into parts, else 0
-	int outliers[2];   // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
+	int boxes_copied; // INT_MAX if copies of worlds brought other boxes or kinds of collidables since the last step, else 0
+	int hubs;         // number of hubs
+	int split;        // number of spokes if some body is split into parts, else 0
+	int outliers[2]; // for each tree: additional node visits per traversal due to outliers, times OUTLIER_UNIT
 	// Values of this step.
 	int updated_boxes; // number of collidables whose enlarged box changed
 	int changed;       // 1 if a constraint began or ended, so the constraints need a new layout
@@ -105,7 +105,6 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int joints_dirty;     // INT_MAX if a joint or an exclusion changed, or a joint broke, since the last step; else 0
 	int joined_dirty;     // joints_dirty at the start of the step, without the joints of joints_copied
 	int joints_copied;    // 1 if copies of worlds brought joints whose constraints must begin or end
-	int boxes_copied;     // INT_MAX if copies of worlds brought other boxes or kinds of collidables, else 0
 	int overflow_first, overflow; // joints with neither color nor chain: first index in the sorted keys; number
 	int joined;                   // number of pairs of bodies that joints or the user keep from touching
 	int joint_events;             // number of joints whose force or torque exceeded a threshold in the step

@@ -36,8 +36,12 @@ KERNEL(step_begin)
 	counters_keep(p);
 	c->alive = c->alive - c->released;
 	c->updated_boxes = 0;
-	c->refit = c->boxes_copied;
-	c->boxes_copied = 0;
+	c->refit = 0;
+	if (BATCHED(p))
+	{
+		c->refit = c->boxes_copied;
+		c->boxes_copied = 0;
+	}
 	for (int level = 0; level < MAX_LEVELS; ++level)
 		c->stale_nodes[level] = 0;
 	c->jumped = 0;

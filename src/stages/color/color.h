@@ -361,7 +361,7 @@ INLINE int color_hub(const Pools* p, int i)
 }
 
 // Number of colors whose keys are counted together, so that a GPU waits for memory once for all of them. A part of COLORS + 1.
-#define RANGE_COLORS 8
+#define RANGE_COLORS (LOADS_WAIT ? 8 : 1)
 
 // Computes the first place of each color of a kind. If there are too few places, cancels the layout; the host then
 // grows the pools and repeats it.
@@ -380,8 +380,10 @@ INLINE void color_range(const Pools* p, int kind)
 	for (int from = 0; from <= COLORS; from += RANGE_COLORS)
 	{
 		int counts[RANGE_COLORS];
+		UNROLL
 		for (int n = 0; n < RANGE_COLORS; ++n)
 			counts[n] = layout->last[from + n] - layout->first[from + n];
+		UNROLL
 		for (int n = 0; n < RANGE_COLORS; ++n)
 		{
 			int k = from + n, count = counts[n];

@@ -22,7 +22,7 @@ KERNEL(solve_begin)
 {
 	if (i == 0)
 		counters_clear(p);
-	if (i == 0 && p->argument)
+	if (!SMALL_CODE && i == 0 && p->argument)
 		p->counters->taut = 0; // the warm starts of this step set it again
 	i = active_item(p, GROUPS_OF_BODIES, i);
 	GLOBAL BodyState* body = p->body + i;
