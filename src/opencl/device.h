@@ -20,7 +20,7 @@ typedef struct
 	const char* error_function; // name of the function that returned `error`
 	bool usable;                // false: Scree cannot use the device with any option; about.reason states the reason
 	Digest verdict_key;         // key of the verdict on the device (verdict.h)
-	char name[112];             // as its driver gives it; equal devices have the same
+	char name[104];             // as its driver gives it; equal devices have the same
 	int number;                 // 1 for the first device with this name, 2 for the next
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions; part of the key of the program cache
