@@ -2,7 +2,7 @@
 // test_cache.c -- checks that compiled OpenCL programs are read from files, and that damaged files are rejected.
 #include "opencl/cache.h"
 #include "opencl/compile.h"
-#include "opencl/device.h"
+#include "opencl/device_name.h"
 #include "support/checks.h"
 #include "support/environment.h"
 #include "support/log_lines.h"

@@ -11,6 +11,7 @@
 // clSetKernelArg.
 #include "layer/fault_layer.h"
 #include "opencl/compile.h"
+#include "opencl/device_name.h"
 #include "opencl/verdict.h"
 #include "support/environment.h"
 #include "support/fault_acts.h"

@@ -6,7 +6,7 @@
 #include "api/world/device_test.h"
 #include "backend/arithmetic.h"
 #include "opencl/arithmetic_test.h"
-#include "opencl/device.h"
+#include "opencl/device_name.h"
 #include "platform/processor.h"
 #include "support/checks.h"
 #include "support/log_lines.h"

@@ -4,8 +4,11 @@
 #define BLOCK_CHANNELS_H
 #include "batch/block_state.h"
 
-// Writes the lists of channels to the pools. sets: CHANNEL_LISTS lists, which outlive the block.
-scree_status block_bind(Block* block, const ChannelSet* sets, int templates);
+// Returns whether rows go through Block.converted, because they are converted, or not adjacent in the memory of the user.
+bool block_converts(const Block* block, const ChannelSet* set);
+
+// Writes the touches of `rows` worlds that are new, before their first step. bits: CHANNEL_*.
+scree_status block_write_touches(Block* block, int bits, int rows);
 
 // Checks the masses of a list (own_inputs_check). mask: per world of the batch, 0 for worlds that are not reset; null: all.
 scree_status block_check_masses(Block* block, int list, const uint8_t* mask, const char* function);

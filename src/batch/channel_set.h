@@ -6,6 +6,8 @@
 #include "batch/template.h"
 #include "world/check.h"
 
+#define BOUND_ROWS 16 // number of rows whose bounds are adjacent in ChannelSet.least and .most
+
 typedef struct
 {
 	int count, columns;                      // numbers of channels and of columns
@@ -33,16 +35,5 @@ typedef struct
 scree_status channels_open(ChannelSet* set, const char* function, bool inputs, const scree_channel* channels, int count,
                            const Template* templates, int template_count);
 void channels_close(ChannelSet* set);
-
-// Checks rows of inputs. first: number of the world of the first row. mask: per world, 0 for rows to skip; null: none.
-scree_status channels_check(const ChannelSet* set, const char* function, const float* rows, int first, int count,
-                            const uint8_t* mask);
-
-// Checks a row of the inputs of a world. function: for the message.
-scree_status channels_check_row(const ChannelSet* set, const char* function, const float* row, int world);
-
-// Copies a row of inputs, with normalized rotations and in metres; or a row of outputs, in units of length.
-void channels_put(const ChannelSet* set, float* to, const float* from);
-void channels_get(const ChannelSet* set, float* to, const float* from);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device.c -- lists OpenCL devices, checks which features they support, adds stored verdicts, and chooses a device.
+// device.c -- lists OpenCL devices, checks which features they support, and adds stored verdicts.
 #include "opencl/device.h"
 #include "backend/arithmetic.h"
 #include "backend/solve_form.h"
@@ -9,11 +9,9 @@
 #include "platform/system.h"
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define MAX_PLATFORMS 16
-#define MAX_DEVICES   64
 
 // Bound of the size of all arguments of a kernel, bytes: a buffer or an offset, and a capacity, for each kind of
 // item; the step; a run; 64 bytes for those of the relay, the tiles and the persistent kernel. OpenCL 1.2 guarantees
@@ -235,39 +233,7 @@ int device_list(Device* devices, int capacity)
 	return count;
 }
 
-static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c + 'a' - 'A') : c; }
-
-static bool has_part(const char* text, const char* part, size_t length)
-{
-	for (;; ++text)
-	{
-		size_t k = 0;
-		while (k < length && lower(text[k]) == lower(part[k]))
-			++k;
-		if (k == length)
-			return true;
-		if (!*text)
-			return false;
-	}
-}
-
-// Returns the number at the end of a name such as "NVIDIA H200 #2", or -1. length: becomes that of the name without it.
-static int number_at_end(const char* name, size_t* length)
-{
-	size_t end = strlen(name), digits = end;
-	while (digits > 0 && name[digits - 1] >= '0' && name[digits - 1] <= '9')
-		--digits;
-	*length = end;
-	if (digits == end || end - digits > 4 || digits == 0 || name[digits - 1] != '#')
-		return -1;
-	*length = digits - 1;
-	while (*length > 0 && name[*length - 1] == ' ')
-		--*length;
-	return atoi(name + digits);
-}
-
-// Returns the reason why the last list of devices was empty, or "". count: number of devices in it.
-static const char* hint(int count)
+const char* device_hint(int count)
 {
 	if (count > 0)
 		return "";
@@ -280,49 +246,6 @@ static const char* hint(int count)
 	       "vendor's driver.";
 }
 
-scree_status device_choose(const BackendOptions* options, Device* device)
-{
-	Device devices[MAX_DEVICES];
-	int count = device_list(devices, MAX_DEVICES);
-	if (count == 0)
-		return fail(SCREE_ERROR_NO_DEVICE, "%s", hint(0));
-
-	const char* part = options->device ? options->device : "";
-	size_t length;
-	int number = number_at_end(part, &length);
-	const Device* best = NULL;
-	int best_score = -1;
-	for (int i = 0; i < count && i < MAX_DEVICES; ++i)
-	{
-		const Device* d = &devices[i];
-		bool named = has_part(d->name, part, length);
-		if (!named && !has_part(d->platform_name, part, length))
-			continue;
-		if (number >= 0 && d->number != number)
-			continue;
-		if (options->gpu && !(d->type & CL_DEVICE_TYPE_GPU))
-			continue;
-		bool allowed = d->about.equal_bits || (d->usable && options->allow_unequal_bits);
-		bool whole = named && length == strlen(d->name);
-		int score = 8 * allowed + 4 * whole + 2 * ((d->type & CL_DEVICE_TYPE_GPU) != 0) + d->about.equal_bits;
-		if (score > best_score)
-		{
-			best = d;
-			best_score = score;
-		}
-	}
-	if (!best && options->gpu && !part[0])
-		return fail(SCREE_ERROR_NO_DEVICE, "This machine has no OpenCL device that is a GPU.");
-	if (!best)
-		return fail(SCREE_ERROR_NO_DEVICE,
-		            "No OpenCL device of this machine has \"%s\" in its name or in that of its driver, case ignored.",
-		            part);
-	if (!best->usable || (!best->about.equal_bits && !options->allow_unequal_bits))
-		return fail(SCREE_ERROR_NO_DEVICE, "Device %s is refused: %s.", best->about.name, best->about.reason);
-	*device = *best;
-	return SCREE_OK;
-}
-
 int opencl_devices(scree_device* devices, int capacity)
 {
 	Device found[MAX_DEVICES];
@@ -332,4 +255,4 @@ int opencl_devices(scree_device* devices, int capacity)
 	return count < MAX_DEVICES ? count : MAX_DEVICES;
 }
 
-const char* opencl_hint(void) { return hint(device_list(NULL, 0)); }
+const char* opencl_hint(void) { return device_hint(device_list(NULL, 0)); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device.h -- lists the OpenCL devices of this machine, with what is known about their bits, and chooses a device.
+// device.h -- lists the OpenCL devices of this machine, with what is known about their bits.
 #ifndef OPENCL_DEVICE_H
 #define OPENCL_DEVICE_H
 #include "backend/backend.h"
@@ -27,8 +27,13 @@ typedef struct
 	scree_device about; // the entry that scree_devices_get returns
 } Device;
 
+#define MAX_DEVICES 64
+
 // Writes at most `capacity` devices. Returns the total number of devices.
 int device_list(Device* devices, int capacity);
+
+// Returns the reason why the last list of devices was empty, or "". count: number of devices in it.
+const char* device_hint(int count);
 
 // Returns whether a device without a verdict is tested with own rounding: it does not report correct rounding, or a
 // test has chosen own rounding.
@@ -39,11 +44,5 @@ double device_wait_limit(const Device* device, const BackendOptions* options);
 
 // Sets the members of a device that follow from the verdict on it.
 void device_judge(Device* device, const Verdict* verdict);
-
-// Chooses a device whose name or platform name contains options->device (case ignored). "#2" at its end chooses among devices
-// with number 2. Prefers devices that the options allow, then a whole name, then GPUs, then devices with equal bits. A device
-// without a verdict counts as one with equal bits; opencl_open tests it. Fails with SCREE_ERROR_NO_DEVICE if no device is found
-// or the best is not allowed.
-scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif

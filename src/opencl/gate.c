@@ -6,6 +6,7 @@
 // program compiles in less than a second. Devices with the same name, driver and platform share a verdict.
 #include "opencl/gate.h"
 #include "opencl/arithmetic_test.h"
+#include "opencl/device_name.h"
 #include "opencl/opencl_state.h"
 #include "platform/error.h"
 #include "platform/processor.h"

@@ -3,6 +3,7 @@
 #include "tools/paper/paper_opencl.h"
 #include "backend/backend.h"
 #include "opencl/compile.h"
+#include "opencl/device_name.h"
 #include "platform/error.h"
 #include <stdio.h>
 

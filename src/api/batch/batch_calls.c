@@ -2,6 +2,7 @@
 // batch_calls.c -- creates, steps, resets and hashes batches for the user.
 #include "api/batch/batch_check.h"
 #include "api/world/device_test.h"
+#include "batch/channel_rows.h"
 #include "platform/processor.h"
 #include "step/bay_layout.h"
 #include "world/definition.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // channel_calls.c -- binds channels of a batch, and observes its worlds.
 #include "api/batch/batch_check.h"
+#include "batch/block_bind.h"
 #include "batch/channel_rows.h"
 #include "platform/processor.h"
 #include "world/definition.h"
