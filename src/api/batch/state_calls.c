@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // state_calls.c -- saves and loads single worlds of a batch, takes worlds out of it and puts them back, for the user.
 #include "api/batch/batch_check.h"
+#include "batch/block_load.h"
 #include "batch/block_rows.h"
 #include "batch/fingerprint.h"
 #include "batch/row_world.h"
