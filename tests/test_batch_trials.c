@@ -5,6 +5,7 @@
 #include "support/batch_checks.h"
 #include "support/make_bodies.h"
 #include "support/second_device.h"
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -440,6 +441,49 @@ static void touches_end_at_once(void** state)
 	}
 }
 
+typedef struct
+{
+	scree_world* template;
+	uint64_t hash; // that of the only world after 30 steps
+} Creation;
+
+static void* create_and_step(void* argument)
+{
+	Creation* made = argument;
+	scree_batch* batch = open_batch(&made->template, 1, 1);
+	OK(scree_batch_step(batch, STEP, 4, 30));
+	OK(scree_batch_get_hashes(batch, &made->hash));
+	scree_batch_destroy(batch);
+	return NULL;
+}
+
+// Several threads create batches of one template at once, as for several devices.
+static void threads_share_a_template(void** state)
+{
+	(void)state;
+	enum
+	{
+		THREADS = 4
+	};
+	scree_world* world = open_cpu(false);
+	box(world, SCREE_BODY_STATIC, 0.0f, -0.5f, 0.5f);
+	for (int k = 0; k < 40; ++k)
+		box(world, SCREE_BODY_DYNAMIC, 0.1f * (float)k, 0.5f + (float)k, 0.4f);
+	pthread_t threads[THREADS];
+	Creation made[THREADS];
+	for (int k = 0; k < THREADS; ++k)
+	{
+		made[k].template = world;
+		assert_int_equal(pthread_create(threads + k, NULL, create_and_step, made + k), 0);
+	}
+	for (int k = 0; k < THREADS; ++k)
+		assert_int_equal(pthread_join(threads[k], NULL), 0);
+	run_steps(world, 30);
+	for (int k = 0; k < THREADS; ++k)
+		assert_true(made[k].hash == hash_of(world));
+	scree_world_destroy(world);
+}
+
 static void refusals(void** state)
 {
 	(void)state;
@@ -489,17 +533,12 @@ static void refusals(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(belts_turn_while_slots_grow),
-	    cmocka_unit_test(heavy_worlds_stand_alone),
-	    cmocka_unit_test(paused_worlds_stay),
-	    cmocka_unit_test(attributes_beyond_the_slots),
-	    cmocka_unit_test(locked_bodies_sleep_on),
-	    cmocka_unit_test(paths_stir_both_bodies),
-	    cmocka_unit_test(joints_of_two_templates),
-	    cmocka_unit_test(rows_stay_and_rays_pass),
-	    cmocka_unit_test(surfaces_change_twice),
-	    cmocka_unit_test(touches_end_at_once),
-	    cmocka_unit_test(refusals),
+	    cmocka_unit_test(belts_turn_while_slots_grow), cmocka_unit_test(heavy_worlds_stand_alone),
+	    cmocka_unit_test(paused_worlds_stay),          cmocka_unit_test(attributes_beyond_the_slots),
+	    cmocka_unit_test(locked_bodies_sleep_on),      cmocka_unit_test(paths_stir_both_bodies),
+	    cmocka_unit_test(joints_of_two_templates),     cmocka_unit_test(rows_stay_and_rays_pass),
+	    cmocka_unit_test(surfaces_change_twice),       cmocka_unit_test(touches_end_at_once),
+	    cmocka_unit_test(threads_share_a_template),    cmocka_unit_test(refusals),
 	};
 	int failures = 0;
 	find_second_device(NULL);

@@ -2447,7 +2447,8 @@ static inline scree_batch_def scree_batch_def_default(void);
 
 // Creates a batch, whose worlds are in the states of their templates. The caller owns *batch and destroys it with
 // scree_batch_destroy. On failure *batch is null. Fails with SCREE_ERROR_INVALID if a template has something that worlds
-// in a batch cannot have.
+// in a batch cannot have. Several threads may create batches of the same templates at once, but no other function may use
+// these then.
 SCREE_API scree_status scree_batch_create(const scree_batch_def* def, scree_batch** batch);
 
 // Destroys a batch. batch may be null.

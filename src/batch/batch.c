@@ -8,6 +8,7 @@
 #include "batch/fingerprint.h"
 #include "platform/error.h"
 #include "platform/processor.h"
+#include "platform/system.h"
 #include "step/bay_layout.h"
 #include "world/device/devices.h"
 #include <stdatomic.h>
@@ -212,7 +213,13 @@ scree_status batch_create(const scree_batch_def* def, const char* function, Test
 			made->next_of[k] = made->template_of[k];
 	}
 	if (status == SCREE_OK)
+	{
+		// threads may create batches of one template at once, for several devices; its snapshot uses memory of the world
+		static Mutex reading = MUTEX_OPEN;
+		mutex_lock(&reading);
 		status = read_templates(made, def, function);
+		mutex_unlock(&reading);
+	}
 	if (status == SCREE_OK)
 		status = order_open(&made->order, made->templates, made->template_count, made->template_of, made->worlds);
 	if (status == SCREE_OK)
