@@ -37,7 +37,7 @@ static void program_is_standard(void** state)
 	    {"", opencl_program, opencl_program_length},
 	    {" -DRESIDENT", opencl_program, opencl_program_length},
 	    {" -DRESIDENT -DTILES -DPERSISTENT", opencl_program, opencl_program_length},
-	    {" -DRESIDENT -DTILES -DPERSISTENT -DALONE", opencl_program, opencl_program_length},
+	    {" -DRESIDENT -DTILES -DPERSISTENT -DWORLD_ALONE", opencl_program, opencl_program_length},
 	    {" -DCALLS", opencl_program, opencl_program_length},
 	    {"", arithmetic_program, arithmetic_program_length},
 	    {" -DOWN_ROUNDING", arithmetic_program, arithmetic_program_length},

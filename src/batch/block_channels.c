@@ -30,6 +30,13 @@ bool block_converts(const Block* block, const ChannelSet* set)
 // Returns a number of rows, rounded up to a multiple of MAX_LANES.
 static int padded(int rows) { return (rows + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
 
+// Returns whether some output counts touches.
+static bool counts_touches(const Block* block)
+{
+	const ChannelSet* set = block->sets + CHANNELS_OUTPUTS;
+	return set->joint_group > set->touch_group;
+}
+
 scree_status block_write_touches(Block* block, int bits, int rows)
 {
 	const ChannelSet* set = block->sets + CHANNELS_OUTPUTS;
@@ -179,7 +186,7 @@ scree_status block_apply_reset(Block* block, int resets)
 	const ChannelSet* set = block->sets + CHANNELS_RESET;
 	size_t columns = (size_t)set->columns;
 	TRY(set_parameters(block, CHANNELS_RESET, block->rows, resets));
-	if (set->count == 0 && !block->sets[CHANNELS_OUTPUTS].touches)
+	if (set->count == 0 && !counts_touches(block))
 		return SCREE_OK;
 	for (int k = 0; k < resets && set->count > 0; ++k)
 		channels_put(set, block->converted + (size_t)k * columns, memory_of(block, CHANNELS_RESET, block->rows[k]));
@@ -197,7 +204,7 @@ scree_status block_begin_touches(Block* block, int copies)
 	for (int k = 0; k < copies; ++k)
 		if (block->copies[k].y < block->worlds)
 			block->copies[running++] = block->copies[k];
-	if (!block->sets || !block->sets[CHANNELS_OUTPUTS].touches || running == 0)
+	if (!block->sets || !counts_touches(block) || running == 0)
 		return SCREE_OK;
 	TRY(b->f->write(b, POOL_bay_copy, 0, running, block->copies));
 	return block_write_touches(block, CHANNEL_COPIES, running);

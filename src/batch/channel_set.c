@@ -84,7 +84,6 @@ static void note_kind(ChannelSet* set, scree_channel_kind kind)
 {
 	set->aims |= kind == SCREE_INPUT_TARGET;
 	set->acts |= kind == SCREE_INPUT_FORCE || kind == SCREE_INPUT_THRUST || kind == SCREE_INPUT_TORQUE;
-	set->touches |= kind == SCREE_OUTPUT_TOUCH;
 	set->poses |= kind == SCREE_INPUT_POSE || kind == SCREE_INPUT_TARGET;
 	set->parameters += channel_is_parameter((int)kind);
 	set->masses |= kind == SCREE_INPUT_MASS;

@@ -28,7 +28,6 @@ typedef struct
 	double unit;              // unit of length, m; 0 for metres
 	bool poses;               // some input is a pose, whose rotation is normalized
 	bool aims, acts;          // some input is a target; some input is a force or torque
-	bool touches;             // some output counts touches
 } ChannelSet;
 
 // Resolves channels for all templates. The definitions are checked (channel_check). On failure channels_close must follow.

@@ -293,7 +293,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options, const
 	arithmetic_options(d->device.own_rounding, arithmetic);
 	snprintf(program_options, sizeof program_options, "%s%s%s%s%s%s", resident ? " -DRESIDENT" : "",
 	         resident && tiles ? " -DTILES" : "", d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "",
-	         alone ? " -DALONE" : "", arithmetic);
+	         alone ? " -DWORLD_ALONE" : "", arithmetic);
 	TRY(context_open(d, program_options, options->opengl));
 	cl_int error;
 	CREATE(d->failure, d->queue, error, CommandQueue, d->context, d->device.id,

@@ -9,7 +9,7 @@
 
 // Returns whether the pools contain the worlds of a batch. The engine that a page downloads first has no batches, and neither has
 // the OpenCL program of a world alone.
-#if defined(SCREE_NO_BATCHES) || defined(ALONE)
+#if defined(SCREE_NO_BATCHES) || defined(WORLD_ALONE)
 #define BATCHED(p) ((void)(p), 0)
 #else
 #define BATCHED(p) ((p)->step.bays.worlds != 0)
