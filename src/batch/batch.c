@@ -101,18 +101,6 @@ static scree_status read_templates(scree_batch* batch, const scree_batch_def* de
 	return SCREE_OK;
 }
 
-static scree_status open_device(const scree_batch_def* def, int threads, TestWorlds* test, Backend** backend)
-{
-	scree_world_def world = scree_world_def_default();
-	world.device = def->device;
-	world.threads = threads;
-	world.lanes = def->lanes;
-	world.allow_unequal_bits = def->allow_unequal_bits;
-	world.device_timeout = def->device_timeout;
-	world.timings = def->timings;
-	return device_open_batch(&world, test, backend);
-}
-
 // Returns the number of worlds of a block on a CPU: each worker gets as many blocks as the others.
 static int block_worlds(const scree_batch* batch, int workers)
 {
@@ -158,12 +146,25 @@ typedef struct // settings with which the blocks of a batch are opened
 	int threads; // number of threads of a device
 } BlockPlan;
 
+static scree_status open_device(const BlockPlan* plan, Backend** backend)
+{
+	const scree_batch_def* def = plan->def;
+	scree_world_def world = scree_world_def_default();
+	world.device = def->device;
+	world.threads = plan->threads;
+	world.lanes = def->lanes;
+	world.allow_unequal_bits = def->allow_unequal_bits;
+	world.device_timeout = def->device_timeout;
+	world.timings = def->timings;
+	return device_open_batch(&world, plan->test, backend);
+}
+
 static scree_status open_block(Block* block, const void* context)
 {
 	const BlockPlan* plan = context;
 	const scree_batch* batch = plan->batch;
 	Backend* backend;
-	TRY(open_device(plan->def, plan->threads, plan->test, &backend));
+	TRY(open_device(plan, &backend));
 	TRY(block_open(block, backend, batch->templates, batch->template_count, batch->template_of, batch->next_of,
 	               &batch->order, block->first, block->worlds, plan->def->contact_limit));
 	block->request.timings = batch->timings;
