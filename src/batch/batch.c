@@ -24,11 +24,15 @@ typedef struct
 	scree_batch* batch;
 	BlockWork* work;
 	const void* context;
-	atomic_int next, failed; // failed: lowest number of a block that failed
+	atomic_int taken[MAX_WORKERS]; // number of blocks of the share of each worker that were begun
+	atomic_int failed;             // lowest number of a block that failed
 	scree_status status;
 	Sentence sentence;
 	atomic_flag busy; // set while a worker changes the two members above
 } Job;
+
+// Returns the first block of the share of a worker.
+static int share(int blocks, int worker, int workers) { return (int)((int64_t)blocks * worker / workers); }
 
 static void fail_job(Job* job, int block, scree_status status)
 {
@@ -44,15 +48,23 @@ static void fail_job(Job* job, int block, scree_status status)
 	atomic_flag_clear(&job->busy);
 }
 
+// Each worker has a share of the blocks, because its caches hold their pools, and then helps the next ones. Every second step goes
+// backwards, so that it begins with the blocks that the caches got last.
 static void work_blocks(void* context, int worker, int workers)
 {
 	Job* job = context;
-	(void)worker, (void)workers;
-	for (int k; (k = atomic_fetch_add(&job->next, 1)) < job->batch->block_count;)
+	const scree_batch* batch = job->batch;
+	for (int turn = 0; turn < workers; ++turn)
 	{
-		scree_status status = job->work(job->batch->blocks + k, job->context);
-		if (status != SCREE_OK)
-			fail_job(job, k, status);
+		int owner = (worker + turn) % workers, begin = share(batch->block_count, owner, workers);
+		int end = share(batch->block_count, owner + 1, workers);
+		for (int k; (k = atomic_fetch_add(job->taken + owner, 1)) < end - begin;)
+		{
+			int block = batch->backwards ? end - 1 - k : begin + k;
+			scree_status status = job->work(batch->blocks + block, job->context);
+			if (status != SCREE_OK)
+				fail_job(job, block, status);
+		}
 	}
 }
 

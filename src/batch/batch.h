@@ -17,6 +17,7 @@ struct scree_batch
 	ChannelSet sets[CHANNEL_LISTS];
 	Threads* threads;    // workers, each of which steps one block at a time; null if there is one block
 	scree_status broken; // sticky error, SCREE_OK while healthy
+	bool backwards;      // the next step begins with the last block
 	bool warned;         // a warning of a crowded world was logged
 	bool timings;        // as in scree_batch_def
 	double milliseconds; // duration of the last call that took steps; with timings

@@ -53,6 +53,10 @@ INLINE int bay_item(int worlds, int bay, int k, int size)
 	return (bay < worlds ? bay * size : bay_spare(worlds, size) + (bay - worlds) * size) + k;
 }
 
+// Returns the number of items of bay_copy_item for a number of items of a kind: work-items of a GPU that run together then have one
+// kind.
+INLINE int bay_copy_whole(int items) { return (items + 31) & ~31; }
+
 // Returns the ground, the motionless body of a world, for a collidable without a body.
 INLINE int bay_ground(const Pools* p, int collidable)
 {

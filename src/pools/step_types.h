@@ -73,6 +73,7 @@ typedef struct // bays of the worlds of a batch (bays.h); zeros outside of a bat
 	short varied;                     // 1 if worlds have different gravity: BayGravity replaces values of Step
 	short sensors;                    // number of sensors for which each bay has words in the pool bay_visit
 	float body_part, collidable_part; // 1 divided by the number of items of a bay
+	int copies, copied_joints; // number of worlds in the last list of bay_copy; the same if worlds have joints, else 0
 } Bays;
 
 typedef struct // 40 bytes: numbers of items of a world of a batch

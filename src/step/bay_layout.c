@@ -158,7 +158,7 @@ scree_status bays_live(Pipeline* pipeline, int live, int edits)
 scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, int count)
 {
 	Backend* b = pipeline->backend;
-	const Bays* bays = &pipeline->bays;
+	Bays* bays = &pipeline->bays;
 	const KindLayout* layout = pipeline->counters.layout;
 	int live = 0;
 	for (int k = 0; k < count; ++k)
@@ -178,11 +178,12 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	pipeline->placed = most;
 	TRY(b->f->write(b, POOL_bay_copy, 0, count, copies));
 	TRY(b->f->write(b, POOL_bay_row, 0, count, rows));
+	bays->copies = count;
+	bays->copied_joints = pipeline->bay_joints ? count : 0;
+	int items = bay_copy_whole(bays->copied_joints << bays->joint_bits) + bay_copy_whole(count * bays->bodies) +
+	            bay_copy_whole(count << bays->contact_bits) + count * bays->collidables;
 	const Run runs[] = {
-	    {KERNEL_bay_copy_body, 0, count * bays->bodies, NO_COUNT, (int)pipeline->steps},
-	    {KERNEL_bay_copy_collidable, 0, count * bays->collidables, NO_COUNT, 0},
-	    {KERNEL_bay_copy_contact, 0, count << bays->contact_bits, NO_COUNT, 0},
-	    {KERNEL_bay_copy_joint, 0, pipeline->bay_joints ? count << bays->joint_bits : 0, NO_COUNT, 0},
+	    {KERNEL_bay_copy_item, 0, items, NO_COUNT, (int)pipeline->steps},
 	    {KERNEL_bay_copy_visit, 0, count * visit_size(bays->sensors, bays->collidables), NO_COUNT, 0},
 	};
 	TRY(bays_run_all(pipeline, runs, sizeof runs / sizeof *runs));

@@ -186,6 +186,7 @@ scree_status api_batch_step(scree_batch* batch, float dt, int substeps, int step
 	StepWork work = {dt, substeps, steps};
 	double begin = batch->timings && steps > 0 ? processor_milliseconds() : 0.0;
 	TRY(batch_note(batch, batch_each(batch, step_block, &work)));
+	batch->backwards = !batch->backwards;
 	if (batch->timings && steps > 0)
 		batch->milliseconds = processor_milliseconds() - begin;
 	warn_crowded(batch, function);

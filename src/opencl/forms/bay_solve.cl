@@ -23,7 +23,7 @@ typedef struct // bodies and constraints of a work-group, in local memory
 } BayGroup;
 
 // fails to compile if the kernels have more local memory than the host expects
-typedef char bay_fits[sizeof(BayGroup) <= TILE_MEMORY || BAY_BODIES > TILE_BODIES ? 1 : -1];
+typedef char bay_fits[((sizeof(BayGroup) <= TILE_MEMORY) | (BAY_BODIES > TILE_BODIES)) ? 1 : -1];
 
 // Returns the first place of a column at or behind which slots are at least `slot`. The column has `count` places from
 // `begin` on.

@@ -61,128 +61,153 @@ INLINE void bay_copy_values(const Pools* p, int n, int live)
 		p->world_bay[bay.world] = copy.y;
 }
 
-// Item: a body of a copy.
-KERNEL(bay_copy_body)
+// In the following functions all loads come before the first store, because a work-item of a GPU waits for each load behind a store.
+//
+// Copies body i of all copies.
+INLINE void bay_copy_body(const Pools* p, int i)
 {
 	const Bays* bays = &p->step.bays;
 	int n = bay_of_body(p, i);
 	BayCopy c = bay_copy(p, n, i - n * bays->bodies, bays->bodies);
 	int hub = p->hub[c.to]; // entry of the list of hubs, not a value of the body; its keys belong to the layout too
 	Int2 hub_keys = p->hub_keys[c.to];
+	int first = p->continuous_body[c.from].first, static_contact = p->static_contact[c.from];
 	item_move(p, PER_BODY, c.to, c.from);
 	p->hub[c.to] = hub;
 	p->hub_keys[c.to] = hub_keys;
 	if (i == n * bays->bodies)
 		bay_copy_values(p, n, c.live);
-	if (p->continuous_body[c.to].first > 0)
-		p->continuous_body[c.to].first += c.collidable;
+	if (first > 0)
+		p->continuous_body[c.to].first = first + c.collidable;
 	if (c.live && p->step.sleep)
 		active_touch(p, GROUPS_OF_BODIES, c.to);
-	p->static_contact[c.to] += c.contact; // also of a body without such a contact; its value is compared with the pair
+	p->static_contact[c.to] =
+	    static_contact + c.contact; // also of a body without such a contact; its value is compared with the pair
 	body_stand(p, c.to);
 }
 
-// Item: a collidable of a copy.
-KERNEL(bay_copy_collidable)
+// Copies collidable i of all copies.
+INLINE void bay_copy_collidable(const Pools* p, int i)
 {
 	const Bays* bays = &p->step.bays;
 	int n = bay_of_collidable(p, i);
 	BayCopy c = bay_copy(p, n, i - n * bays->collidables, bays->collidables);
-	Float4 box_before = p->box[c.to];
-	int kind_before = p->collidable_kind[c.to];
+	int body = p->collidable_body[c.from], next = p->next_collidable[c.from], shape_body = p->world_shape[c.from].body;
+	int differs = !box_equal(p->box[c.from], p->box[c.to]) || p->collidable_kind[c.from] != p->collidable_kind[c.to];
 	item_move(p, PER_COLLIDABLE, c.to, c.from);
-	if (p->collidable_body[c.to] >= 0)
-		p->collidable_body[c.to] += c.body;
-	if (p->next_collidable[c.to] > 0)
-		p->next_collidable[c.to] += c.collidable;
-	p->world_shape[c.to].body += c.body;
-	if (c.live && (!box_equal(p->box[c.to], box_before) || p->collidable_kind[c.to] != kind_before))
+	if (body >= 0)
+		p->collidable_body[c.to] = body + c.body;
+	if (next > 0)
+		p->next_collidable[c.to] = next + c.collidable;
+	p->world_shape[c.to].body = shape_body + c.body;
+	if (c.live && differs)
 		raise_int(&p->counters->boxes_copied, 0x7fffffff);
 	if (c.live && p->step.sleep)
 		active_touch(p, GROUPS_OF_COLLIDABLES, c.to);
 }
 
 // Gives the constraint that was copied to slot `to` a place: that of the constraint before, if it had the same color, or
-// one behind the layout. from_place, before: places of the source, and of the constraint before, or -1. color: color of
-// the latter. same: 1 if constraints of equal color may exchange places.
-#define BAY_PLACE(kind, KIND, before, color, same)                              \
-	int from_place = p->kind##_place[c.to], place = -1;                         \
+// one behind the layout. from_place, before: places of the source, and of the constraint before, or -1. color, color_before:
+// colors of both. bodies: those of the copy. same: 1 if constraints of equal color may exchange places.
+#define BAY_PLACE(kind, KIND, same)                                             \
+	int place = -1;                                                             \
 	if (from_place >= 0)                                                        \
 		kind##_keep(p, c.to, from_place);                                       \
-	if (c.live && p->kind##_color[c.to] >= 0)                                   \
+	if (c.live && color >= 0)                                                   \
 	{                                                                           \
-		place = before;                                                         \
-		if (place < 0 || color != p->kind##_color[c.to] || !(same))             \
+		place = place_before;                                                   \
+		if (place < 0 || color != color_before || !(same))                      \
 		{                                                                       \
 			place = p->counters->layout[CONSTRAINT_##KIND].begin[COLORS + 1] +  \
 			        atomic_add_int(&p->counters->placed[CONSTRAINT_##KIND], 1); \
 			raise_int(&p->counters->stale_layout[CONSTRAINT_##KIND], 1);        \
 		}                                                                       \
 		p->kind##_place_slot[place] = c.to;                                     \
-		kind##_row(p, body_a, place) = p->kind##_bodies[c.to].x;                \
-		kind##_row(p, body_b, place) = p->kind##_bodies[c.to].y;                \
+		kind##_row(p, body_a, place) = bodies.x;                                \
+		kind##_row(p, body_b, place) = bodies.y;                                \
 		kind##_set_place(p, c.to, place);                                       \
-		kind##_put_back(p, c.to, place);                                        \
+		kind##_put_back(p, from_place >= 0 ? c.to : c.from, place);             \
 	}                                                                           \
-	else if (before >= 0)                                                       \
+	else if (place_before >= 0)                                                 \
 		raise_int(&p->counters->stale_layout[CONSTRAINT_##KIND], 1);            \
 	p->kind##_place[c.to] = place;
 
-// Item: a contact slot of a copy.
-KERNEL(bay_copy_contact)
+// Copies contact slot i of all copies.
+INLINE void bay_copy_contact(const Pools* p, int i)
 {
 	const Bays* bays = &p->step.bays;
 	int size = 1 << bays->contact_bits;
 	BayCopy c = bay_copy(p, i >> bays->contact_bits, i & (size - 1), size);
-	if (p->pair[c.from].x < 0 && p->pair[c.to].x < 0) // most slots are free
+	Int2 pair = p->pair[c.from], bodies = p->contact_bodies[c.from];
+	int uses = pair.x >= 0, used = p->pair[c.to].x >= 0;
+	if (!uses && !used) // most slots are free
 		return;
-	int used = p->pair[c.to].x >= 0, color_before = p->contact_color[c.to], place_before = p->contact_place[c.to];
+	int color = uses ? p->contact_color[c.from] : COLOR_NONE, color_before = p->contact_color[c.to];
+	int from_place = uses ? p->contact_place[c.from] : -1, place_before = p->contact_place[c.to];
+	bodies = make_int2(bodies.x + c.body, bodies.y + c.body);
 	item_move(p, PER_CONTACT, c.to, c.from);
-	Int2 pair = p->pair[c.to], bodies = p->contact_bodies[c.to];
-	int uses = pair.x >= 0;
 	if (uses)
 	{
 		p->pair[c.to] = make_int2(pair.x + c.collidable, pair.y + c.collidable);
-		p->contact_bodies[c.to] = make_int2(bodies.x + c.body, bodies.y + c.body);
+		p->contact_bodies[c.to] = bodies;
 	}
 	else
-	{
 		p->contact_color[c.to] = COLOR_NONE;
-		p->contact_place[c.to] = -1;
-	}
 	if (c.live && p->step.sleep)
 		active_touch(p, GROUPS_OF_CONTACTS, c.to);
 	if (c.live && uses != used)
 		atomic_add_int(&p->counters->alive, uses - used);
-	if (c.live && p->contact_color[c.to] == COLORS)
+	if (c.live && color == COLORS)
 		raise_int(&p->counters->copied_spokes, 1);
-	BAY_PLACE(contact, CONTACT, place_before, color_before, color_before < COLORS)
+	BAY_PLACE(contact, CONTACT, color_before < COLORS)
 }
 
-// Item: a joint slot of a copy. The spot in a chain is that of the bay, not of the world.
-KERNEL(bay_copy_joint)
+// Copies joint slot i of all copies. The spot in a chain is that of the bay, not of the world.
+INLINE void bay_copy_joint(const Pools* p, int i)
 {
 	const Bays* bays = &p->step.bays;
 	int size = 1 << bays->joint_bits;
 	BayCopy c = bay_copy(p, i >> bays->joint_bits, i & (size - 1), size);
 	int spot = p->joint_spot[c.to], color_before = p->joint_color[c.to], place_before = p->joint_place[c.to];
-	int flags_before = p->joint_flags[c.to];
-	int a_before = p->joint_data[c.to].body_a, b_before = p->joint_data[c.to].body_b;
+	int flags_before = p->joint_flags[c.to], flags = p->joint_flags[c.from];
+	int color = p->joint_color[c.from], from_place = p->joint_place[c.from];
+	Int2 bodies = p->joint_bodies[c.from];
+	int a = p->joint_data[c.from].body_a + c.body, b = p->joint_data[c.from].body_b + c.body;
+	int others = c.live && (p->joint_data[c.to].body_a != a || p->joint_data[c.to].body_b != b);
+	bodies = make_int2(bodies.x + c.body, bodies.y + c.body);
 	item_move(p, PER_JOINT, c.to, c.from);
-	Int2 bodies = p->joint_bodies[c.to];
 	p->joint_spot[c.to] = spot;
-	p->joint_bodies[c.to] = make_int2(bodies.x + c.body, bodies.y + c.body);
-	p->joint_data[c.to].body_a += c.body;
-	p->joint_data[c.to].body_b += c.body;
-	int flags = p->joint_flags[c.to], changed = c.live ? (flags_before ^ flags) & ~JOINT_ASLEEP : 0;
+	p->joint_bodies[c.to] = bodies;
+	p->joint_data[c.to].body_a = a;
+	p->joint_data[c.to].body_b = b;
+	int changed = c.live ? (flags_before ^ flags) & ~JOINT_ASLEEP : 0;
 	int acts = joint_wanted(flags) && !(flags & JOINT_ASLEEP);
-	int begins = acts != (p->joint_color[c.to] != COLOR_NONE) || flags & (JOINT_NEW | JOINT_RESTARTS);
-	int others = c.live && (p->joint_data[c.to].body_a != a_before || p->joint_data[c.to].body_b != b_before);
+	int begins = acts != (color != COLOR_NONE) || flags & (JOINT_NEW | JOINT_RESTARTS);
 	if (changed & (JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN) || others) // the pairs that joints keep apart
 		raise_int(&p->counters->joints_dirty, 0x7fffffff);
 	else if (c.live && (changed || begins))
 		raise_int(&p->counters->joints_copied, 1);
-	BAY_PLACE(joint, JOINT, place_before, color_before, color_before < COLORS || spot >= 0)
+	BAY_PLACE(joint, JOINT, color_before < COLORS || spot >= 0)
+}
+
+// Item: a joint slot, a body, a contact slot or a collidable of a copy, in this order, as bay_copy_items counts them: one run for all
+// kinds, because a GPU takes as long for few items as one of them needs. argument: Pipeline.steps.
+KERNEL(bay_copy_item)
+{
+	const Bays* bays = &p->step.bays;
+	int joints = bays->copied_joints << bays->joint_bits, bodies = bays->copies * bays->bodies;
+	int contacts = bays->copies << bays->contact_bits, collidables = bays->copies * bays->collidables, k = i;
+	if (k < joints)
+		bay_copy_joint(p, k);
+	k -= bay_copy_whole(joints);
+	if (k >= 0 && k < bodies)
+		bay_copy_body(p, k);
+	k -= bay_copy_whole(bodies);
+	if (k >= 0 && k < contacts)
+		bay_copy_contact(p, k);
+	k -= bay_copy_whole(contacts);
+	if (k >= 0 && k < collidables)
+		bay_copy_collidable(p, k);
 }
 
 // Item: a contact slot, or a joint slot. Makes it free.

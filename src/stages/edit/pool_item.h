@@ -22,6 +22,10 @@ INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h, Origin origin)
 	return h;
 }
 
+// Rows of four floats that contain a value of the type, and whether it consists of whole rows.
+#define ITEM_ROWS(type) ((int)((sizeof(type) + sizeof(Float4) - 1) / sizeof(Float4)))
+#define IN_ROWS(type)   (sizeof(type) % sizeof(Float4) == 0)
+
 // Clears a new item. OpenCL C does not accept {0} for a vector, so the zero comes from the second member of a struct,
 // which is zero by default.
 INLINE void item_clear(const Pools* p, Per per, int i)
@@ -40,31 +44,43 @@ INLINE void item_clear(const Pools* p, Per per, int i)
 #undef X
 }
 
-// Moves an item. With LOADS_WAIT all values are loaded before the first one is stored, so that a GPU waits once for all of them; the
-// structs are zero for the same reason as in item_clear.
+// Moves an item. With LOADS_WAIT all values are loaded before the first one is stored, so that a GPU waits once for all of them, and
+// values that fill rows of four floats move row by row, because a GPU would transfer each of their members alone. The structs are zero
+// for the same reason as in item_clear.
 INLINE void item_move(const Pools* p, Per per, int to, int from)
 {
 #if LOADS_WAIT
-#define X(type, name, of, role)              \
-	struct                                   \
-	{                                        \
-		int first;                           \
-		type value;                          \
-	} name = {0};                            \
-	if (per == PER_##of && role <= STANDING) \
+#define X(type, name, of, role)                                          \
+	struct name##_rows                                                   \
+	{                                                                    \
+		Float4 rows[ITEM_ROWS(type)];                                    \
+	};                                                                   \
+	struct                                                               \
+	{                                                                    \
+		int first;                                                       \
+		type value;                                                      \
+		struct name##_rows rows;                                         \
+	} name = {0};                                                        \
+	if (per == PER_##of && role <= STANDING && IN_ROWS(type))            \
+		name.rows = *(const GLOBAL struct name##_rows*)(p->name + from); \
+	else if (per == PER_##of && role <= STANDING)                        \
 		name.value = p->name[from];
 #include "pools/pools.def"
 #undef X
-#define ITEM_VALUE(name) name.value
-#else
-#define ITEM_VALUE(name) p->name[from]
-#endif
-#define X(type, name, of, role)              \
-	if (per == PER_##of && role <= STANDING) \
-		p->name[to] = ITEM_VALUE(name);
+#define X(type, name, of, role)                                  \
+	if (per == PER_##of && role <= STANDING && IN_ROWS(type))    \
+		*(GLOBAL struct name##_rows*)(p->name + to) = name.rows; \
+	else if (per == PER_##of && role <= STANDING)                \
+		p->name[to] = name.value;
 #include "pools/pools.def"
 #undef X
-#undef ITEM_VALUE
+#else
+#define X(type, name, of, role)              \
+	if (per == PER_##of && role <= STANDING) \
+		p->name[to] = p->name[from];
+#include "pools/pools.def"
+#undef X
+#endif
 }
 
 INLINE void item_fetch(const Pools* p, Per per, int i)
