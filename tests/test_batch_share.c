@@ -2,6 +2,7 @@
 // test_batch_share.c -- checks rows of a batch in memory that is shared with a device: they must equal rows in memory of the host.
 //
 // No driver for CPUs shares memory, so this test wraps functions of PoCL (support/sharing_driver.h).
+#include "batch/batch.h"
 #include "support/batch_checks.h"
 #include "support/make_bodies.h"
 #include "support/sharing_driver.h"
@@ -106,16 +107,17 @@ static void step_both(const Side sides[2], int steps)
 	}
 }
 
-static void test_shared_rows(void** state)
+// Compares batches whose worlds are in one block or in several ones.
+static void compare_sides(int parts)
 {
-	(void)state;
-	if (!has_pocl())
-		skip();
 	scree_body bodies[3];
 	scree_world* world = open_template(bodies, 30.0f);
 	Side sides[2];
 	OK(open_batch("cpu", &world, 1, &sides[0].batch));
+	batch_parts_setting = parts;
 	OK(open_batch(POCL, &world, 1, &sides[1].batch));
+	batch_parts_setting = 0;
+	assert_int_equal(sides[1].batch->block_count, parts);
 	for (int k = 0; k < 2; ++k)
 		bind(sides + k, bodies);
 
@@ -153,6 +155,15 @@ static void test_shared_rows(void** state)
 	munmap(outputs, bytes);
 	close(input_file);
 	close(output_file);
+}
+
+static void test_shared_rows(void** state)
+{
+	(void)state;
+	if (!has_pocl())
+		skip();
+	compare_sides(1);
+	compare_sides(3);
 }
 
 // Lists that cannot be shared.

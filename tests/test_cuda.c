@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_cuda.c -- checks that rays and rows of batches in memory of CUDA get the same results as in memory of the host. The tests are
 // skipped without CUDA.
+#include "batch/batch.h"
 #include "support/make_bodies.h"
 #include "tools/common/clock.h"
 #include "tools/common/random_numbers.h"
@@ -45,7 +46,7 @@ typedef struct
 FUNCTIONS(X)
 #undef X
 
-static const char* load(void)
+static const char* load_cuda(void)
 {
 	void* library = dlopen("libcuda.so.1", RTLD_NOW);
 	if (!library)
@@ -91,7 +92,7 @@ static CudaMemory allocate(size_t bytes)
 // Returns a world on a device that shares memory with CUDA, or null after a message that gives the reason.
 static scree_world* open_sharing(void)
 {
-	const char* missing = load();
+	const char* missing = load_cuda();
 	if (missing)
 	{
 		print_message("skipped: %s\n", missing);
@@ -188,21 +189,19 @@ static void open_side(Side* side, scree_world* world, const scree_body bodies[CR
 	side->seconds = 0.0;
 }
 
-static void rows_of_cuda(void** state)
+// Compares batches whose worlds are in one block or in two.
+static void compare_rows(int parts)
 {
-	(void)state;
-	scree_world* sharing = open_sharing();
-	if (!sharing)
-		skip();
-	scree_world_destroy(sharing);
 	scree_world* world = open_world_on("cpu", 1, (float)-G);
 	scree_body bodies[CRATES];
 	add_floor(world);
 	for (int k = 0; k < CRATES; ++k)
 		bodies[k] = add_crate(world, SCREE_BODY_DYNAMIC, 0.1f * (float)k, 0.6f + 1.1f * (float)k);
 	Side host, cuda;
+	batch_parts_setting = parts;
 	open_side(&host, world, bodies);
 	open_side(&cuda, world, bodies);
+	batch_parts_setting = 0;
 	size_t input_bytes = 2 * WORLDS * sizeof(float), output_bytes = COLUMNS * WORLDS * sizeof(float);
 	CudaMemory inputs = allocate(input_bytes), outputs = allocate(output_bytes);
 	OK(scree_batch_share_rows(cuda.batch, SCREE_STEP_INPUTS, inputs.file, inputs.bytes));
@@ -226,8 +225,9 @@ static void rows_of_cuda(void** state)
 	OK(scree_batch_get_hashes(host.batch, hashes));
 	OK(scree_batch_get_hashes(cuda.batch, hashes + WORLDS));
 	assert_memory_equal(hashes, hashes + WORLDS, WORLDS * sizeof *hashes);
-	print_message("%d worlds, %d columns: a step takes %.3f ms with rows of the host, %.3f ms with rows of CUDA\n",
-	              WORLDS, COLUMNS, 1e3 * host.seconds / STEPS, 1e3 * cuda.seconds / STEPS);
+	print_message(
+	    "%d worlds in %d blocks, %d columns: a step takes %.3f ms with rows of the host, %.3f ms with rows of CUDA\n",
+	    WORLDS, parts, COLUMNS, 1e3 * host.seconds / STEPS, 1e3 * cuda.seconds / STEPS);
 
 	// a value that is refused is named as on the host
 	char sentence[256];
@@ -242,6 +242,17 @@ static void rows_of_cuda(void** state)
 	scree_world_destroy(world);
 	free(found);
 	free(hashes);
+}
+
+static void rows_of_cuda(void** state)
+{
+	(void)state;
+	scree_world* sharing = open_sharing();
+	if (!sharing)
+		skip();
+	scree_world_destroy(sharing);
+	compare_rows(1);
+	compare_rows(2);
 }
 
 int main(void)

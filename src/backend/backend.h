@@ -31,9 +31,11 @@ typedef struct
 	const char* device; // part of the name of a device or of its driver, case ignored; null: the first suitable
 	int threads, lanes; // 0 for the maximum of the device
 	bool allow_unequal_bits, timings;
-	float device_timeout;       // OpenCL: scree_world_def.device_timeout, s
-	bool gpu;                   // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
-	bool batch;                 // OpenCL: the device gets the worlds of a batch
+	float device_timeout; // OpenCL: scree_world_def.device_timeout, s
+	bool gpu;             // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
+	bool batch;           // OpenCL: the device gets the worlds of a batch
+	Backend*
+	    beside; // OpenCL: the same device, open for other worlds of the batch, or null; its pinned memory also serves this one
 	const scree_opengl* opengl; // OpenGL context with which memory is shared, or null
 	const scree_tasks* tasks;   // scree_world_def.tasks
 	TestWorlds* test;           // OpenCL: test of a device without a verdict; null: it is not tested
@@ -46,6 +48,7 @@ typedef struct // memory that OpenGL or another program uses too; the caller own
 {
 	scree_sharing how; // not SCREE_SHARING_COPIED
 	int file;          // SCREE_SHARING_MEMORY: file descriptor; a device that accepts it becomes its owner
+	bool copies_file;  // the device gets a copy of the descriptor instead
 	uint32_t buffer;   // SCREE_SHARING_OPENGL: name of a buffer object
 	size_t bytes;
 } SharedMemory;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // batch.c -- makes batches, and does work for all blocks of a batch.
 //
-// On a GPU all worlds with the same tuning share one block. On a CPU a worker steps the worlds of a block alone, so that no
+// On a GPU all worlds with the same tuning share one block, or two if they are many. On a CPU a worker steps the worlds of a block alone, so that no
 // worker waits for another within a step, and the pools of a block stay in the worker's cache.
 #include "batch/batch.h"
 #include "batch/channel_rows.h"
@@ -18,6 +18,10 @@
 #define MOST_TABLES 32000
 
 #define BLOCK_ITEMS 1024 // number of bodies of a block on a CPU, whose pools then fill about half of an L2 cache
+// least number of bodies of each of two blocks on a GPU; two blocks of 98,304 took 1.35 times as long as one of 196,608
+#define PART_ITEMS (3 << 17)
+
+int batch_parts_setting;
 
 typedef struct
 {
@@ -113,12 +117,17 @@ static scree_status read_templates(scree_batch* batch, const scree_batch_def* de
 	return SCREE_OK;
 }
 
-// Returns the number of worlds of a block on a CPU: each worker gets as many blocks as the others.
-static int block_worlds(const scree_batch* batch, int workers)
+// Returns the number of worlds of a block. On a CPU each worker gets as many blocks as the others. A GPU steps two blocks at the same
+// time: it computes one while rows of the other are transferred, and short runs of both fill it better.
+static int block_worlds(const scree_batch* batch, const Backend* device, int workers)
 {
 	int most = 1;
 	for (int t = 0; t < batch->template_count; ++t)
 		most = batch->templates[t].bodies > most ? batch->templates[t].bodies : most;
+	bool halves = device && device->distant && workers > 1 && (int64_t)batch->worlds * most >= 2 * PART_ITEMS;
+	int parts = batch_parts_setting > 0 ? batch_parts_setting : halves ? 2 : 1;
+	if (device || batch_parts_setting > 0)
+		return (batch->worlds + parts - 1) / parts;
 	int worlds = BLOCK_ITEMS / most > 1 ? BLOCK_ITEMS / most : 1, share = (batch->worlds + workers - 1) / workers;
 	int blocks = (share + worlds - 1) / worlds;
 	return (share + blocks - 1) / blocks;
@@ -155,7 +164,8 @@ typedef struct // settings with which the blocks of a batch are opened
 	scree_batch* batch;
 	const scree_batch_def* def;
 	TestWorlds* test;
-	int threads; // number of threads of a device
+	int threads;   // number of threads of a device
+	Backend* made; // OpenCL: device of the first block
 } BlockPlan;
 
 static scree_status open_device(const BlockPlan* plan, Backend** backend)
@@ -168,19 +178,33 @@ static scree_status open_device(const BlockPlan* plan, Backend** backend)
 	world.allow_unequal_bits = def->allow_unequal_bits;
 	world.device_timeout = def->device_timeout;
 	world.timings = def->timings;
-	return device_open_batch(&world, plan->test, backend);
+	return device_open_batch(&world, plan->test, plan->made, backend);
 }
 
 static scree_status open_block(Block* block, const void* context)
 {
 	const BlockPlan* plan = context;
 	const scree_batch* batch = plan->batch;
-	Backend* backend;
-	TRY(open_device(plan, &backend));
+	Backend* backend = block == batch->blocks ? plan->made : NULL;
+	if (!backend)
+		TRY(open_device(plan, &backend));
 	TRY(block_open(block, backend, batch->templates, batch->template_count, batch->template_of, batch->next_of,
 	               &batch->order, block->first, block->worlds, plan->def->contact_limit));
 	block->request.timings = batch->timings;
 	return SCREE_OK;
+}
+
+static scree_status allocate_blocks(scree_batch* batch, const BlockPlan* plan, int workers, const char* function)
+{
+	int worlds = block_worlds(batch, plan->made, workers), blocks = count_blocks(&batch->order, worlds);
+	batch->blocks = scree_allocate(sizeof *batch->blocks * (size_t)blocks);
+	if (!batch->blocks)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d blocks", function, blocks);
+	batch->block_count = blocks;
+	divide(batch, worlds);
+	if (blocks > 1 && workers > 1)
+		batch->threads = threads_open(workers < blocks ? workers : blocks, NULL);
+	return blocks > 1 && workers > 1 && !batch->threads ? SCREE_ERROR_OUT_OF_MEMORY : SCREE_OK;
 }
 
 static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, const char* function, TestWorlds* test)
@@ -189,20 +213,13 @@ static scree_status open_blocks(scree_batch* batch, const scree_batch_def* def, 
 	int cores = processor_cores(), workers = def->threads > 0      ? def->threads
 	                                         : cores < MAX_WORKERS ? cores
 	                                                               : MAX_WORKERS;
-	int worlds = cpu ? block_worlds(batch, workers) : batch->worlds, blocks = count_blocks(&batch->order, worlds);
-	batch->blocks = scree_allocate(sizeof *batch->blocks * (size_t)blocks);
-	if (!batch->blocks)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d blocks", function, blocks);
-	batch->block_count = blocks;
-	divide(batch, worlds);
-	if (blocks > 1 && workers > 1)
-	{
-		batch->threads = threads_open(workers < blocks ? workers : blocks, NULL);
-		if (!batch->threads)
-			return SCREE_ERROR_OUT_OF_MEMORY;
-	}
 	BlockPlan plan = {.batch = batch, .def = def, .test = test, .threads = cpu ? 1 : def->threads};
-	return batch_each(batch, open_block, &plan);
+	if (!cpu)
+		TRY(open_device(&plan, &plan.made));
+	scree_status status = allocate_blocks(batch, &plan, workers, function);
+	if (status != SCREE_OK && plan.made)
+		plan.made->f->close(plan.made);
+	return status == SCREE_OK ? batch_each(batch, open_block, &plan) : status;
 }
 
 scree_status batch_create(const scree_batch_def* def, const char* function, TestWorlds* test, scree_batch** batch)

@@ -23,6 +23,9 @@ struct scree_batch
 	double milliseconds; // duration of the last call that took steps; with timings
 };
 
+// Number of blocks for the worlds of each tuning; 0 (default): as the device and the number of worlds suggest. Tests set it.
+extern int batch_parts_setting;
+
 // Makes a batch. The arguments are checked. An OpenCL device without a verdict is tested with `test`. On failure *batch is null.
 scree_status batch_create(const scree_batch_def* def, const char* function, TestWorlds* test, scree_batch** batch);
 void batch_destroy(scree_batch* batch);

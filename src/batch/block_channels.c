@@ -128,13 +128,19 @@ scree_status block_set_parameters(Block* block)
 	return block->sets ? set_parameters(block, CHANNELS_STEP, NULL, block->worlds) : SCREE_OK;
 }
 
+// Returns the place of the rows of a block in shared memory, bytes. All worlds have one tuning, so they are in the order of the user.
+static size_t shared_offset(const Block* block, const ChannelSet* set)
+{
+	return sizeof(float) * (size_t)block->first * (size_t)set->columns;
+}
+
 scree_status block_check_shared(Block* block, const char* function)
 {
 	Backend* b = block->backend;
 	const ChannelSet* set = block->sets + CHANNELS_STEP;
 	ChannelList* list = block->lists + CHANNELS_STEP;
 	int columns = set->columns, values = block->worlds * columns;
-	TRY(b->f->download(b, SHARED_INPUTS, POOL_column, list->column, values, 0));
+	TRY(b->f->download(b, SHARED_INPUTS, POOL_column, list->column, values, shared_offset(block, set)));
 	TRY(bays_run(&block->pipeline, KERNEL_channel_check, 0, values, CHANNELS_STEP));
 	ChannelList checked;
 	TRY(b->f->read(b, POOL_channel_list, CHANNELS_STEP, 1, &checked));
@@ -144,7 +150,7 @@ scree_status block_check_shared(Block* block, const char* function)
 	int world = (values - checked.wrong) / columns;
 	TRY(b->f->write(b, POOL_channel_list, CHANNELS_STEP, 1, list)); // `wrong` is 0
 	TRY(b->f->read(b, POOL_column, list->column + world * columns, columns, row));
-	return channels_check_row(set, function, row, world);
+	return channels_check_row(set, function, row, block->first + world);
 }
 
 scree_status block_apply_inputs(Block* block)
@@ -227,7 +233,7 @@ scree_status block_write_outputs(Block* block)
 	TRY(bays_run_all(&block->pipeline, runs, sizeof runs / sizeof *runs));
 	if (set->shared)
 		return b->f->upload(b, SHARED_OUTPUTS, POOL_column, block->lists[CHANNELS_OUTPUTS].column, rows * set->columns,
-		                    0);
+		                    shared_offset(block, set));
 	bool converted = block_converts(block, set);
 	float* to = converted ? block->converted : memory_of(block, CHANNELS_OUTPUTS, 0);
 	TRY(b->f->read(b, POOL_column, block->lists[CHANNELS_OUTPUTS].column, rows * set->columns, to));

@@ -118,6 +118,8 @@ void opencl_unpin(Backend* b, void* memory)
 
 bool is_pinned(const OpenCl* d, const void* at, size_t bytes)
 {
+	if (d->beside && d->beside->context == d->context && is_pinned(d->beside, at, bytes))
+		return true;
 	uintptr_t first = (uintptr_t)at;
 	for (int k = 0; k < PINNED_MOST; ++k)
 	{

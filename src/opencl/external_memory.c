@@ -9,6 +9,15 @@
 #include "opencl/launch.h"
 #include "opencl/queue.h"
 #include "platform/error.h"
+#ifdef _WIN32
+#include <io.h>
+#define copy_file  _dup
+#define close_file _close
+#else
+#include <unistd.h>
+#define copy_file  dup
+#define close_file close
+#endif
 
 #define MEMORY_OPAQUE_FD 0x2060 // value of cl_khr_external_memory, revision 1.0; OpenCL 1.2 headers do not define it
 
@@ -33,8 +42,12 @@ static cl_mem import(OpenCl* d, void* create, const SharedMemory* memory, cl_int
 {
 	if (memory->how == SCREE_SHARING_OPENGL)
 		return ((CreateFromOpenGl)create)(d->context, CL_MEM_WRITE_ONLY, memory->buffer, error);
-	MemoryProperty properties[] = {MEMORY_OPAQUE_FD, (MemoryProperty)memory->file, 0};
-	return ((CreateFromFile)create)(d->context, properties, CL_MEM_READ_WRITE, memory->bytes, NULL, error);
+	int file = memory->copies_file ? copy_file(memory->file) : memory->file;
+	MemoryProperty properties[] = {MEMORY_OPAQUE_FD, (MemoryProperty)file, 0};
+	cl_mem made = ((CreateFromFile)create)(d->context, properties, CL_MEM_READ_WRITE, memory->bytes, NULL, error);
+	if (*error && memory->copies_file && file >= 0)
+		close_file(file);
+	return made;
 }
 
 scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory)

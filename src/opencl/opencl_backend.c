@@ -267,6 +267,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options, const
 	if (!d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
+	d->beside = options->beside ? options->beside->state : NULL;
 	d->failure = &d->own_failure;
 	d->wait_limit = device_wait_limit(device, options);
 	d->constants.version = 1; // version 0 of new kernels differs from this, so their first launch sets the step

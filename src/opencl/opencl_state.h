@@ -186,7 +186,7 @@ typedef struct // memory that another API reads and writes
 	ShareFunction acquire, release;
 } Shared;
 
-typedef struct
+typedef struct OpenCl
 {
 	Backend* backend; // backend to which this state belongs
 	Device device;
@@ -208,6 +208,7 @@ typedef struct
 	int argument[PER_COUNT];   // argument index of a kind's buffer; if it has none, index in `begins` (kernel_bind)
 	size_t before[POOL_COUNT]; // bytes per item of the pools that precede a pool and have the same kind
 
+	const struct OpenCl* beside;      // BackendOptions.beside, or null
 	Pinned pinned[PINNED_MOST];       // blocks of opencl_pin
 	size_t pinned_bytes[PINNED_MOST]; // their sizes
 	Kernel kernels[KERNEL_COUNT], plain[PLAIN_KERNELS];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // run_batch.c -- copies the world of a program into a batch, and checks that each copy goes on as the world alone.
+#include "batch/batch.h"
 #include "platform/error.h"
 #include "programs/run_call.h"
 #include "step/pipeline_state.h"
@@ -295,6 +296,7 @@ bool batch_repeat(scree_world* world, const Place* place, int* made)
 	many.device = place->device;
 	many.threads = place->threads;
 	many.lanes = place->lanes;
+	batch_parts_setting = 1 + *made % 2; // every second batch has two blocks
 	if (scree_batch_create(&many, &batch) == SCREE_OK)
 	{
 		++*made;

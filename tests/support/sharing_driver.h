@@ -6,6 +6,7 @@
 #define SHARING_DRIVER_H
 #include "opencl/loader.h"
 #include "support/checks.h"
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,9 +30,12 @@ static const char* taught; // name of the extension that the wrapper adds to tho
 static bool creation_fails;
 static void* buffer_object; // memory of OpenGL buffer 5
 static size_t buffer_bytes;
-static bool handed_over;
-static int handovers;
-static cl_mem imported[4]; // the last imports
+static atomic_int handovers;
+static struct
+{
+	cl_mem memory;
+	bool handed_over;
+} imported[8]; // the last imports
 static int import_count;
 static cl_context_properties context_properties[8];
 
@@ -68,16 +72,26 @@ static cl_mem import(cl_context context, void* memory, size_t bytes, cl_int* err
 		return NULL;
 	}
 	cl_mem made = real.CreateBuffer(context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes, memory, error);
-	imported[import_count++ % 4] = made;
+	imported[import_count % 8].handed_over = false;
+	imported[import_count++ % 8].memory = made;
 	return made;
 }
 
-static bool is_imported(cl_mem memory)
+// Returns whether OpenCL has imported memory now; null for other memory.
+static bool* handed_over(cl_mem memory)
 {
-	bool found = false;
-	for (int k = 0; k < 4; ++k)
-		found |= memory && imported[k] == memory;
-	return found;
+	for (int k = 0; k < 8; ++k)
+		if (memory && imported[k].memory == memory)
+			return &imported[k].handed_over;
+	return NULL;
+}
+
+static inline bool any_handed_over(void)
+{
+	bool any = false;
+	for (int k = 0; k < 8; ++k)
+		any |= imported[k].memory && imported[k].handed_over;
+	return any;
 }
 
 static cl_mem CL_API_CALL create_from_file(cl_context context, const cl_ulong* properties, cl_mem_flags flags,
@@ -97,9 +111,10 @@ static cl_mem CL_API_CALL create_from_buffer(cl_context context, cl_mem_flags fl
 
 static cl_int hand(cl_command_queue queue, cl_uint count, const cl_mem* memory, bool over)
 {
-	assert_true(count == 1 && is_imported(memory[0]) && over != handed_over);
-	handed_over = over;
-	++handovers;
+	bool* now = handed_over(memory[0]);
+	assert_true(count == 1 && now && over != *now);
+	*now = over;
+	atomic_fetch_add(&handovers, 1);
 	// data that a kernel wrote gets to the memory of the host only when the buffer is mapped
 	cl_int error;
 	size_t bytes = 32;
@@ -124,8 +139,10 @@ static cl_int CL_API_CALL release(cl_command_queue queue, cl_uint count, const c
 static cl_int CL_API_CALL taught_argument(cl_kernel kernel, cl_uint index, size_t size, const void* value)
 {
 	cl_mem memory;
+	const bool* now = NULL;
 	if (size == sizeof memory && value)
-		assert_true(!is_imported(*(const cl_mem*)memcpy(&memory, value, size)) || handed_over);
+		now = handed_over(*(const cl_mem*)memcpy(&memory, value, size));
+	assert_true(!now || *now);
 	return real.SetKernelArg(kernel, index, size, value);
 }
 

@@ -134,11 +134,16 @@ static scree_status check_masses(Block* block, const void* context)
 	return block_check_masses(block, check->list, check->mask, check->function);
 }
 
+static scree_status check_shared(Block* block, const void* context)
+{
+	return block_check_shared(block, ((const InputCheck*)context)->function);
+}
+
 static scree_status check_inputs(scree_batch* batch, const char* function, int list, const uint8_t* mask)
 {
 	InputCheck check = {function, batch->sets + list, list, mask};
 	if (check.set->shared)
-		return batch_note_device(batch, block_check_shared(batch->blocks, function));
+		return batch_note_device(batch, batch_each(batch, check_shared, &check));
 	if (check.set->columns > 0)
 		TRY(check_rows(batch, &check));
 	return check.set->masses ? batch_each(batch, check_masses, &check) : SCREE_OK;

@@ -58,10 +58,22 @@ static scree_status open_set(scree_batch* batch, const char* function, scree_cha
 	return status;
 }
 
+// Gives all blocks the memory of a list, or none with null. The first block becomes the owner of the file descriptor. On failure no
+// block has memory.
 static scree_status share(scree_batch* batch, scree_channels list, const SharedMemory* memory)
 {
-	Backend* b = batch->blocks[0].backend;
-	return b->f->share(b, list == SCREE_OUTPUTS ? SHARED_OUTPUTS : SHARED_INPUTS, memory);
+	SharedUse use = list == SCREE_OUTPUTS ? SHARED_OUTPUTS : SHARED_INPUTS;
+	scree_status status = SCREE_OK;
+	for (int k = batch->block_count - 1; k >= 0 && status == SCREE_OK; --k)
+	{
+		Backend* b = batch->blocks[k].backend;
+		SharedMemory part = memory ? *memory : (SharedMemory){.file = -1};
+		part.copies_file = k > 0;
+		status = b->f->share(b, use, memory ? &part : NULL);
+	}
+	for (int k = 1; k < batch->block_count && status != SCREE_OK && memory; ++k)
+		batch->blocks[k].backend->f->share(batch->blocks[k].backend, use, NULL);
+	return status;
 }
 
 // Replaces a list of channels. On failure `*set` is closed, and the list stays as it was.
@@ -98,8 +110,7 @@ scree_status api_batch_bind(scree_batch* batch, scree_channels list, const scree
 	if (status == SCREE_OK && set.pulls)
 		status = batch_own_gravity(batch, function);
 	if (status == SCREE_OK && count > 0 && !memory)
-		status =
-		    channel_rows_open(&set, function, batch->worlds, batch->block_count == 1 ? batch->blocks[0].backend : NULL);
+		status = channel_rows_open(&set, function, batch->worlds, batch->blocks[0].backend);
 	if (status == SCREE_OK)
 		status = replace(batch, list, &set);
 	if (status != SCREE_OK)
@@ -110,7 +121,7 @@ scree_status api_batch_bind(scree_batch* batch, scree_channels list, const scree
 	return status;
 }
 
-// Returns whether a list can be shared, all of whose rows must be in one block, and have the values that kernels read.
+// Returns whether a list can be shared, whose rows must be in the order of the user, and have the values that kernels read.
 static scree_status check_share(const scree_batch* batch, const char* function, scree_channels list, size_t bytes)
 {
 	const ChannelSet* set = batch->sets + list;
@@ -124,7 +135,7 @@ static scree_status check_share(const scree_batch* batch, const char* function, 
 	if (b->sharing != SCREE_SHARING_MEMORY)
 		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: the rows of a batch on %s are %s", function, b->name,
 		            scree_sharing_name(SCREE_SHARING_COPIED));
-	if (batch->block_count > 1)
+	if (batch->order.groups > 1)
 		return fail(SCREE_ERROR_NOT_SUPPORTED, "%s: templates have different tunings, so the rows are not in one place",
 		            function);
 	if (set->unit != 0.0)

@@ -63,10 +63,11 @@ scree_status device_open(const scree_world_def* def, TestWorlds* test, Backend**
 	return open_named(&options, def->device, backend);
 }
 
-scree_status device_open_batch(const scree_world_def* def, TestWorlds* test, Backend** backend)
+scree_status device_open_batch(const scree_world_def* def, TestWorlds* test, Backend* beside, Backend** backend)
 {
 	BackendOptions options = options_of(def, test);
 	options.batch = true;
+	options.beside = beside;
 	return open_named(&options, def->device, backend);
 }
 

@@ -11,8 +11,8 @@ int devices_list(scree_device* devices, int capacity);
 // first, with `test`; it is refused if its bits differ from those of the CPU, unless the definition allows this.
 scree_status device_open(const scree_world_def* def, TestWorlds* test, Backend** backend);
 
-// The same, for the worlds of a batch.
-scree_status device_open_batch(const scree_world_def* def, TestWorlds* test, Backend** backend);
+// The same, for the worlds of a batch. beside: the same device, open for other worlds of the batch, or null.
+scree_status device_open_batch(const scree_world_def* def, TestWorlds* test, Backend* beside, Backend** backend);
 
 // Opens the first GPU with the bits of the CPU, and tests it if there is no verdict on it. Fails if there is none.
 scree_status device_open_gpu(const scree_world_def* def, TestWorlds* test, Backend** backend);
