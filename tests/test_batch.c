@@ -293,7 +293,7 @@ static void bad_arguments_are_refused(void** state)
 	                                          "of the name of the device or of its driver, case ignored");
 	def.device = "cpu";
 	def.lanes = 3;
-	REFUSED(scree_batch_create(&def, &batch), "lanes is 3, but must be 0, 1, 4, 8 or 16");
+	REFUSED(scree_batch_create(&def, &batch), "scree_batch_create: def.lanes is 3, must be 0, 1, 4, 8 or 16");
 	def.lanes = 0;
 	def.templates = &sleeper;
 	scree_tuning tuning;

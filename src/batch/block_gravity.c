@@ -68,7 +68,7 @@ scree_status block_set_gravity(Block* block, scree_vec* gravity)
 	return status;
 }
 
-// Sets the gravity of the step: that of the world that gravity moves farthest, on which Step.calm depends.
+// Sets the gravity of the step: that of all worlds, or if they differ, that of the world that gravity moves farthest.
 static void find_gravity(Block* block)
 {
 	scree_vec first = block_world_gravity(block, 0), most = first;

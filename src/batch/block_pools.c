@@ -130,19 +130,31 @@ static void list_kinematics(Block* block)
 	}
 }
 
-// Writes the pairs of bodies that users keep from touching, for each live bay.
+// Returns whether some template of the block has pairs of bodies that never touch.
+static bool has_excluded(const Block* block)
+{
+	for (int t = 0; t < block->template_count; ++t)
+		if (block->spare_of[t] >= 0 && block->templates[t].count[POOL_excluded] > 0)
+			return true;
+	return false;
+}
+
+// Writes the pairs of bodies that users keep from touching, for each live bay. If no live world has any, but others have, one empty
+// pair is left, so that the next step lists the pairs again.
 static scree_status fill_excluded(Block* block)
 {
 	Backend* b = block->backend;
 	int count = 0, live = block->pipeline.live_bays;
 	for (int k = 0; k < live; ++k)
 		count += bay_template(block, k)->count[POOL_excluded];
-	block->pipeline.excluded = count;
-	if (count == 0)
+	bool none = count == 0 && has_excluded(block);
+	block->pipeline.excluded = count + none;
+	if (count + none == 0)
 		return SCREE_OK;
-	Word64* pairs = scree_allocate(sizeof *pairs * (size_t)count);
+	Word64* pairs = scree_allocate(sizeof *pairs * (size_t)(count + none));
 	if (!pairs)
 		return no_memory();
+	pairs[0] = NO_PAIR;
 	for (int k = 0, n = 0; k < live; ++k)
 	{
 		const Template* from = bay_template(block, k);
@@ -150,9 +162,9 @@ static scree_status fill_excluded(Block* block)
 		for (int i = 0; i < from->count[POOL_excluded]; ++i)
 			pairs[n++] = from->image.excluded[i] == NO_PAIR ? NO_PAIR : from->image.excluded[i] + (first << 32 | first);
 	}
-	scree_status status = pipeline_reserve(&block->pipeline, PER_EXCLUDED, count);
+	scree_status status = pipeline_reserve(&block->pipeline, PER_EXCLUDED, count + none);
 	if (status == SCREE_OK)
-		status = b->f->write(b, POOL_excluded, 0, count, pairs);
+		status = b->f->write(b, POOL_excluded, 0, count + none, pairs);
 	scree_release(pairs);
 	return status;
 }
@@ -231,15 +243,7 @@ static scree_status fill_chains(Block* block)
 	return status;
 }
 
-// Returns whether some template of the block has pairs of bodies that never touch, or chains.
-static bool has_excluded(const Block* block)
-{
-	for (int t = 0; t < block->template_count; ++t)
-		if (block->spare_of[t] >= 0 && block->templates[t].count[POOL_excluded] > 0)
-			return true;
-	return false;
-}
-
+// Returns whether some world of the block may have chains.
 static bool has_chains(const Block* block)
 {
 	for (int t = 0; t < block->template_count; ++t)

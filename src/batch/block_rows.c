@@ -143,10 +143,11 @@ scree_status block_check(Block* block, const RowWork* work)
 		    head.target_hash != targets_hash(&from->targets, head.targets))
 			return fail(SCREE_ERROR_INVALID, "%s: state %d has pending targets that the template of world %d lacks",
 			            work->function, number, world);
-		if (head.count[ROW_CONTACTS] > block->pipeline.bay_limit)
+		int most = bays_slots_most(&block->pipeline.bays);
+		if (head.count[ROW_CONTACTS] > most)
 			return fail(SCREE_ERROR_INVALID,
-			            "%s: state %d has %d slots for contacts, but worlds of the batch have at most %d contacts",
-			            work->function, number, head.count[ROW_CONTACTS], block->pipeline.bay_limit);
+			            "%s: state %d has %d slots for contacts, but worlds of the batch have at most %d",
+			            work->function, number, head.count[ROW_CONTACTS], most);
 		TRY(row_check(work_row(work, copies[k]), &head, from, work->function, number));
 	}
 	return SCREE_OK;

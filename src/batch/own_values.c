@@ -191,15 +191,18 @@ scree_status own_apply(scree_world* world, const char* function, Own before, Own
 	return apply_surfaces(world, function, before, own);
 }
 
-void own_chains_before(scree_world* world, Own own)
+scree_status own_chains_before(scree_world* world, Own own)
 {
+	static const int none = -1;
 	for (int k = 0; k < own.joints; ++k)
 	{
 		HostJoint* host = world->host_joints + k;
 		bool chained = own.joint[k] & OWN_JOINT_CHAINED;
 		if (!slots_in_use(&world->joints, k) || chained == (host->spot >= 0))
 			continue;
-		host->spot = chained ? 0 : -1; // any spot, because the search compares only whether there is one
+		host->spot = chained ? SPOT_UNKNOWN : -1; // the search compares only whether there is one
 		world->chains_stale = true;
+		TRY(world->backend->f->write(world->backend, POOL_joint_spot, k, 1, &none));
 	}
+	return SCREE_OK;
 }

@@ -56,6 +56,6 @@ uint64_t own_hash(const scree_world* world, Own own);
 scree_status own_apply(scree_world* world, const char* function, Own before, Own own);
 
 // Lets the next step of this world restart the joints that leave or enter a chain, if the chains were not searched for yet.
-void own_chains_before(scree_world* world, Own own);
+scree_status own_chains_before(scree_world* world, Own own);
 
 #endif

@@ -5,6 +5,7 @@
 // in a step, so that no later bit differs.
 #include "batch/row_world.h"
 #include "batch/own_host.h"
+#include "step/event_readback.h"
 #include "step/relayout.h"
 #include "step/reserve.h"
 #include "step/tree_maintenance.h"
@@ -193,6 +194,7 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 	bool spokes = false;
 	for (int k = 0; k < head->count[ROW_CONTACTS]; ++k)
 		spokes |= color[k] == COLORS;
+	TRY(events_reserve(p, &from->request)); // the template may have had no step since its collidables report touches
 	TRY(write_items(world, head, row));
 	set_counters(head, (const CollidablePair*)(const void*)(row + at[POOL_pair]), &p->counters);
 	TRY(pipeline_lay_out(p, from->bodies, spokes));
@@ -222,7 +224,7 @@ static scree_status take_own(scree_world* world, const char* function, const Tem
 	if (status == SCREE_OK)
 		status = world_upload_to_step(world);
 	if (status == SCREE_OK)
-		own_chains_before(world, own_of(from, values));
+		status = world_note(world, own_chains_before(world, own_of(from, values)));
 	scree_release(values);
 	return status;
 }

@@ -187,6 +187,9 @@ scree_status template_read(scree_world* world, const char* function, int number,
 	made->collidables = world->collidables.used;
 	made->attributes = world->edits.attribute_rows;
 	made->pipeline = world->pipeline;
+	for (int k = 0; k < world->bodies.used;
+	     ++k) // worlds of a batch may enable a body that the template has always had disabled
+		made->pipeline.statics |= slots_in_use(&world->bodies, k) && world->host_bodies[k].type == SCREE_BODY_STATIC;
 	Counters* c = &made->pipeline.counters;
 	TRY(world_note(world, world->backend->f->read(world->backend, POOL_counters, 0, 1, c)));
 	made->contacts = c->contacts;

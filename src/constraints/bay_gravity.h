@@ -71,6 +71,15 @@ INLINE float gravity_y_of(const Pools* p, int body)
 }
 INLINE float fall_of(const Pools* p, int body) { return GRAVITY_VARIES(p) ? gravity_row(p, body)->fall : p->step.fall; }
 
+// Returns Step.calm of the world of a body, as it is alone.
+INLINE int bay_calm(const Pools* p, int body)
+{
+	if (!BATCHED(p))
+		return p->step.calm;
+	const GLOBAL Bay* bay = p->bay + bay_of_body(p, body);
+	return (GRAVITY_VARIES(p) ? p->bay_gravity[bay->world].calm : p->step.calm) && bay->joints == 0 && bay->fields == 0;
+}
+
 // m: Returns Softness.depth of the contacts at places i to i + LANES - 1. fixed: mask of contacts of which one body cannot
 // move.
 RARE Real depth_varied(const Pools* p, int i, Int fixed)

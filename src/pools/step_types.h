@@ -108,11 +108,12 @@ typedef struct // 88 bytes: values of a world of a batch that the counters have 
 	int surfaces_used;  // 1 if this one does
 } BayState;
 
-typedef struct // 20 bytes: values of a world of a batch that depend on its gravity
+typedef struct // 24 bytes: values of a world of a batch that depend on its gravity
 {
 	float x, y;                    // m/s^2: as Step.gravity_x, gravity_y
 	float fall;                    // m: as Step.fall
 	float pair_depth, fixed_depth; // m: as Softness.depth of Step.pair and Step.fixed
+	int calm;                      // as Step.calm, in a world without joints and fields
 } BayGravity;
 
 typedef struct // 28 bytes: counters of a world of a batch, for the user
@@ -149,17 +150,17 @@ typedef struct // constants of one step, passed by value to every kernel; a comm
 	float hit_impulse;    // N s: contacts with a smaller impulse are not hits
 	int bounces;          // some attribute or pair of materials has restitution
 	int joints;           // 1 if some constraint may be a joint
-	int calm;             // 1 without joints and fields, if gravity moves a body by less than 5 mm in the step
-	int chain_places;     // number of spots of chains
-	int has_drives;       // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
-	int springs;          // some joint has a spring or a soft lock
-	int couplings;        // some joint is a gear or a pulley
-	int paths;            // some joint follows a path
-	int kinematic;        // number of kinematic bodies
-	int presses;          // 1 if a kinematic body or a joint may press bodies against static ones, or recently did
-	int round;            // some attribute has a radius
-	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE
-	int sleep;            // 1 if bodies may sleep
+	int calm; // 1 without joints and fields, if gravity moves a body by less than 5 mm in the step; in a batch also with them
+	int chain_places;       // number of spots of chains
+	int has_drives;         // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	int springs;            // some joint has a spring or a soft lock
+	int couplings;          // some joint is a gear or a pulley
+	int paths;              // some joint follows a path
+	int kinematic;          // number of kinematic bodies
+	int presses;            // 1 if a kinematic body or a joint may press bodies against static ones, or recently did
+	int round;              // some attribute has a radius
+	int small;              // some dynamic collidable may be thinner than GRAIN_SIZE
+	int sleep;              // 1 if bodies may sleep
 	float sleep_threshold;  // m/s: a body whose points all move slower than this is at rest
 	float continuous_way;   // m: lower bound of ContinuousBody.way of all bodies
 	float continuous_reach; // m: upper bound of ContinuousBody.reach of all bodies

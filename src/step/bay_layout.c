@@ -86,13 +86,12 @@ static scree_status reserve_bays(Pipeline* pipeline, int spares)
 	return SCREE_OK;
 }
 
-// Returns the contact limit of a world, so that bays of all worlds can have that many slots.
-static int limit_of(const Bays* bays, int limit)
+int bays_slots_most(const Bays* bays)
 {
 	int most = MOST_BAY_ITEMS;
 	while (most > 1 << bays->contact_bits && (int64_t)most * bays->worlds > MAX_CONTACTS / 2)
 		most /= 2;
-	return limit > 0 && limit < most ? limit : most;
+	return most;
 }
 
 scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
@@ -112,7 +111,8 @@ scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
 		            sizes->bodies, sizes->collidables, sizes->contacts);
 	pipeline->bays = bays;
 	pipeline->live_bays = sizes->worlds;
-	pipeline->bay_limit = limit_of(&bays, sizes->contact_limit);
+	int most = bays_slots_most(&bays), limit = sizes->contact_limit;
+	pipeline->bay_limit = limit > 0 && limit < most ? limit : most;
 	TRY(reserve_bays(pipeline, sizes->spares));
 
 	// leaf i of tree 0, the only one, is that of collidable i

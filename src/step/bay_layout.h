@@ -18,6 +18,9 @@ typedef struct // numbers of bays, and of the items of each
 // pipeline is open, and has made no step.
 scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes);
 
+// Returns the maximum number of contact slots of a bay, so that bays of all worlds can have that many.
+int bays_slots_most(const Bays* bays);
+
 // Makes room for at least this number of spare bays. Between two steps.
 scree_status bays_spare(Pipeline* pipeline, int spares);
 

@@ -89,7 +89,8 @@ BayGravity step_gravity(const StepRequest* request, scree_vec gravity)
 	size = size > FIRM_GRAVITY ? size : FIRM_GRAVITY;
 	BayGravity values = {.x = flush_tiny(gravity.x),
 	                     .y = flush_tiny(gravity.y),
-	                     .fall = flush_tiny(fall < SPECULATIVE_DISTANCE ? fall : SPECULATIVE_DISTANCE)};
+	                     .fall = flush_tiny(fall < SPECULATIVE_DISTANCE ? fall : SPECULATIVE_DISTANCE),
+	                     .calm = fall < CALM_FALL};
 	if (request->dt > 0.0f)
 	{
 		Frequencies f = frequencies(request);
@@ -131,7 +132,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	Frequencies f = moves ? frequencies(request) : (Frequencies){{0.0f, 0.0f}, {0.0f, 0.0f}};
 	float ratio = tuning->contact_damping_ratio;
 	BayGravity gravity = step_gravity(request, request->gravity);
-	bool calm = pipeline->counters.joints == 0 && request->fields == 0 && fall_in(request->gravity, dt) < CALM_FALL;
+	bool plain = pipeline->counters.joints == 0 && request->fields == 0;
 
 	// limits the spin to pi per step and pi / 4 per substep: more could look like a rotation in the other direction
 	float turn = 0.785398163f * (float)request->substeps;
@@ -168,7 +169,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .hit_impulse = flush_tiny(request->hit_impulse),
 	    .bounces = pipeline->bounces,
 	    .joints = pipeline->counters.joints > 0,
-	    .calm = calm,
+	    .calm = gravity.calm && (plain || OF_BATCH(pipeline)),
 	    .chain_places = pipeline->chain_places,
 	    .has_drives = pipeline->has_drives,
 	    .springs = pipeline->springs,

@@ -164,3 +164,10 @@ scree_status check_step(const char* function, float dt, int substeps)
 		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
 	return SCREE_OK;
 }
+
+scree_status check_lanes(ArgumentPlace at, const char* member, int lanes)
+{
+	if (lanes == 0 || lanes == 1 || lanes == 4 || lanes == 8 || lanes == 16)
+		return SCREE_OK;
+	return refuse(SCREE_ERROR_INVALID, at, member, "is %d, must be 0, 1, 4, 8 or 16", lanes);
+}

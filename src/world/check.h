@@ -52,6 +52,9 @@ scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose);
 // Checks that a device name has one of the forms listed at scree_world_def.device.
 scree_status check_device(ArgumentPlace at, const char* member, const char* device);
 
+// Checks a number of lanes.
+scree_status check_lanes(ArgumentPlace at, const char* member, int lanes);
+
 scree_status check_type(ArgumentPlace at, const char* member, scree_body_type type);
 scree_status check_locks(ArgumentPlace at, const char* member, uint32_t locks);
 scree_status check_reports(ArgumentPlace at, const char* member, uint32_t reports);

@@ -4,6 +4,7 @@
 #include "step/state_readback.h"
 #include "world/device/auto.h"
 #include "world/failure.h"
+#include "world/pool_values.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 
@@ -25,6 +26,8 @@ scree_status world_read_sleep(scree_world* world, int first, int count, int* asl
 scree_pose world_body_pose(const scree_world* world, int index, const Float4* row)
 {
 	scree_rot rotation = {row->z, row->w};
-	scree_vec shift = rot_vec(rotation, world->host_bodies[index].mass.center);
+	scree_vec center = world->host_bodies[index].mass.center;
+	// as in the pool local_center, so that outputs of batches are the same
+	scree_vec shift = rot_vec(rotation, (scree_vec){flush_tiny(center.x), flush_tiny(center.y)});
 	return (scree_pose){{row->x - shift.x, row->y - shift.y}, rotation};
 }

@@ -61,13 +61,16 @@ typedef struct // host data of a path
 	bool waiting;        // pending for the next upload
 } HostPath;
 
+// HostJoint.spot of a joint in a chain whose place is not known: the world left a batch before its chains were searched.
+#define SPOT_UNKNOWN (1 << 30)
+
 typedef struct // host data of a joint
 {
 	scree_joint_def def;      // definition, with normalized frames
 	int bodies[2];            // bodies a and b; 0 for the world
 	int next[2], previous[2]; // 1 + neighboring end in the list of each body, 0 for none
 	int64_t born;             // Pipeline.steps at its creation
-	int spot;                 // index of the joint in the pool chain_joints, -1 for none
+	int spot;                 // index of the joint in the pool chain_joints, -1 for none, or SPOT_UNKNOWN
 	int path;                 // index of the path, -1 for none
 	bool seeks;               // true: the search for the nearest part of the path must be repeated
 	bool counts;              // true: the angle will get its number of whole turns (joint_count_turns)

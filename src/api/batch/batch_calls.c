@@ -31,7 +31,11 @@ static scree_status check_templates(const char* function, const scree_batch_def*
 		return refuse(SCREE_ERROR_INVALID, at, ".template_count", "is %d, must be at least 1", def->template_count);
 	TRY(check_pointer(function, "def.templates", def->templates));
 	for (int t = 0; t < def->template_count; ++t)
+	{
+		if (!def->templates[t])
+			return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "def.templates", t}, "", "is null");
 		TRY(world_check(def->templates[t], function));
+	}
 	for (int k = 0; def->template_of && k < def->worlds; ++k)
 		if (def->template_of[k] < 0 || def->template_of[k] >= def->template_count)
 			return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "def.template_of", k}, "",
@@ -49,6 +53,7 @@ static scree_status check_def(const char* function, const scree_batch_def* def)
 		return refuse(SCREE_ERROR_INVALID, at, ".device", "is \"auto\", which worlds of a batch cannot have yet");
 	if (def->threads < 0 || def->threads > MAX_WORKERS)
 		return refuse(SCREE_ERROR_INVALID, at, ".threads", "is %d, must be from 0 to %d", def->threads, MAX_WORKERS);
+	TRY(check_lanes(at, ".lanes", def->lanes));
 	if (def->contact_limit < 0 || def->contact_limit > MOST_BAY_ITEMS)
 		return refuse(SCREE_ERROR_INVALID, at, ".contact_limit", "is %d, must be from 0 to %d", def->contact_limit,
 		              MOST_BAY_ITEMS);

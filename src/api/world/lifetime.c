@@ -54,8 +54,7 @@ static scree_status check_def(const char* function, const scree_world_def* def)
 		return refuse(SCREE_ERROR_INVALID, at, ".tasks", "has no %s", def->tasks->enqueue ? "finish" : "enqueue");
 	if (def->threads < 0 || def->threads > 64)
 		return refuse(SCREE_ERROR_INVALID, at, ".threads", "is %d, must be from 0 to 64", def->threads);
-	if (def->lanes != 0 && def->lanes != 1 && def->lanes != 4 && def->lanes != 8 && def->lanes != 16)
-		return refuse(SCREE_ERROR_INVALID, at, ".lanes", "is %d, must be 0, 1, 4, 8 or 16", def->lanes);
+	TRY(check_lanes(at, ".lanes", def->lanes));
 #ifdef SCREE_SMALL // a build for WebAssembly works in metres
 	TRY(check_real(at, ".length_unit", def->length_unit, 0.0f, 0.0f));
 #else

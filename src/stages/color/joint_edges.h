@@ -115,6 +115,8 @@ LIST_KERNEL(joint_update, began, began)
 KERNEL(joint_follow)
 {
 	int place = p->joint_place[i], modes = (int)p->joint_data[i].modes;
+	if (p->counters->stalled) // the counts are a part of the state, which a refused step leaves as it was
+		return;
 	if (place >= 0 && modes & JOINT_COUPLED)
 		coupling_setup(p, place);
 	if (place < 0 || !(modes & JOINT_RAILED))

@@ -89,7 +89,7 @@ INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 // predicted at the start of the step. The caller checks that the user has applied no force.
 INLINE int continuous_foreseen(const Pools* p, int body, float gravity_scale)
 {
-	return p->step.calm && absolute(gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
+	return bay_calm(p, body) && absolute(gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
 	       p->other_contacts[body] == 0;
 }
 

@@ -221,7 +221,7 @@ JointEdit joint_edit(const scree_world* world, int index)
 	scree_joint_def own;
 	scree_joint_side side_a = side_of(def, 0), side_b = side_of(def, 1);
 	JointEdit edit = {.slot = index,
-	                  .spot = host->spot,
+	                  .spot = host->spot == SPOT_UNKNOWN ? -1 : host->spot,
 	                  .flags = (host->restarts ? JOINT_RESTARTS : 0) | (host->created ? JOINT_NEW : 0) |
 	                           (host->seeks ? JOINT_SEEKS : 0)};
 	if (!slots_in_use(&world->joints, index))

@@ -132,7 +132,8 @@ static scree_status check_joints(const ChunkIndex* index, const scree_world* wor
 	for (int k = 0; k < world->joints.used; ++k)
 	{
 		const HostJoint* host = world->host_joints + k;
-		CHECK_ITEM(host->spot >= -1 && host->spot < world->pipeline.chain_places, "joint", k);
+		CHECK_ITEM((host->spot >= -1 && host->spot < world->pipeline.chain_places) || host->spot == SPOT_UNKNOWN,
+		           "joint", k);
 		if (!slots_in_use(&world->joints, k))
 			continue;
 		const scree_joint_def* def = &host->def;

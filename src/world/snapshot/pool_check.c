@@ -17,7 +17,8 @@ static scree_status check_attributes(const ChunkIndex* index, const scree_world*
 {
 	for (int k = 0; k < world->edits.attribute_rows; ++k)
 	{
-		CHECK_ITEM(in_range(ITEMS(Attribute, attribute)[k].count, 1, MAX_CORNERS + 1), "attribute", k);
+		int least = k < world->attribute_slots.used && slots_in_use(&world->attribute_slots, k);
+		CHECK_ITEM(in_range(ITEMS(Attribute, attribute)[k].count, least, MAX_CORNERS + 1), "attribute", k);
 		CHECK_ITEM(in_range(ITEMS(Rule, rule)[k].material, 0, MATERIALS), "rule", k);
 	}
 	return SCREE_OK;
@@ -90,7 +91,8 @@ static scree_status check_joints(const ChunkIndex* index, const scree_world* wor
 			CHECK_ITEM(!(ITEMS(int, joint_flags)[k] & JOINT_THERE), "joint_flags", k);
 		CHECK_ITEM(in_range(bodies.x, 0, world->bodies.used) && in_range(bodies.y, 0, world->bodies.used),
 		           "joint_bodies", k);
-		CHECK_ITEM(ITEMS(int, joint_spot)[k] == world->host_joints[k].spot, "joint_spot", k);
+		int spot = world->host_joints[k].spot;
+		CHECK_ITEM(ITEMS(int, joint_spot)[k] == (spot == SPOT_UNKNOWN ? -1 : spot), "joint_spot", k);
 	}
 	for (int k = 0; k < world->pipeline.counters.joint_events; ++k)
 		CHECK_ITEM(in_range(ITEMS(JointEvent, joint_event)[k].slot, 0, world->joints.used), "joint_event", k);

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+// test_batch_neighbors.c -- checks that worlds of other templates change no bit of a world of a batch, and that worlds that were taken
+// out can be copied at once.
+//
+// Formula: hash(world in a batch) = hash(same world alone).
+#include "support/batch_checks.h"
+#include "support/second_device.h"
+#include <string.h>
+
+#define STEP (1.0f / 60.0f)
+
+static const char* device;
+
+// Opens a world without gravity, on the CPU.
+static scree_world* open_space(void)
+{
+	scree_world_def def = scree_world_def_default();
+	scree_world* world;
+	def.device = "cpu";
+	def.threads = 1;
+	def.sleep = false;
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	OK(scree_world_create(&def, &world));
+	return world;
+}
+
+static scree_body box(scree_world* world, scree_body_type type, float x, float half, float half_height)
+{
+	scree_body body;
+	OK(scree_body_create_box(world, type, (scree_pose){{x, 0.0f}, {1.0f, 0.0f}}, half, half_height, 0, &body));
+	return body;
+}
+
+static scree_batch* open_batch(scree_world** templates, int count, int contact_limit)
+{
+	scree_batch_def def = scree_batch_def_default();
+	scree_batch* batch;
+	def.device = device;
+	def.threads = def.device[0] == 'c' ? 1 : 0;
+	def.worlds = count;
+	def.templates = templates;
+	def.template_count = count;
+	def.contact_limit = contact_limit;
+	OK(scree_batch_create(&def, &batch));
+	return batch;
+}
+
+static uint64_t hash_alone(scree_world* world)
+{
+	uint64_t hash;
+	OK(scree_world_get_hash(world, &hash));
+	return hash;
+}
+
+static uint64_t hash_of_world(scree_batch* batch, int world)
+{
+	uint64_t hashes[2];
+	OK(scree_batch_get_hashes(batch, hashes));
+	return hashes[world];
+}
+
+// Steps a world of a batch and the same world alone, and compares them after each step.
+static void step_both(scree_batch* batch, int world, scree_world* alone, int steps)
+{
+	for (int k = 0; k < steps; ++k)
+	{
+		OK(scree_batch_step(batch, STEP, 4, 1));
+		OK(scree_world_step(alone, STEP, 4));
+		assert_true(hash_of_world(batch, world) == hash_alone(alone));
+	}
+}
+
+static float between(float least, float most)
+{
+	return least + (most - least) * (float)random_below(1 << 20) / 1048576.0f;
+}
+
+// Adds two boxes with centers of mass beside them, which leave their predicted boxes when they spin.
+static void add_spinners(scree_world* world)
+{
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_body_def body = scree_body_def_default();
+		scree_attribute_def attribute = scree_attribute_def_default();
+		scree_body made;
+		body.pose.position = (scree_vec){between(-0.5f, 0.5f), between(-0.5f, 0.5f)};
+		body.pose.rotation = scree_rot_make(between(-3.0f, 3.0f));
+		body.velocity.linear = (scree_vec){between(-1.0f, 1.0f), between(-1.0f, 1.0f)};
+		body.velocity.angular = k == 0 ? 0.0f : between(-200.0f, 200.0f);
+		OK(scree_shape_make_box(between(0.02f, 0.4f), between(0.003f, 0.1f), &attribute.shape));
+		OK(scree_body_create_with_shape(world, &body, &attribute, &made));
+		scree_mass mass;
+		OK(scree_body_get_mass(world, made, &mass));
+		mass.center = (scree_vec){between(-0.3f, 0.3f), between(-0.3f, 0.3f)};
+		mass.inertia = 0.0f;
+		OK(scree_body_set_mass(world, made, mass));
+	}
+}
+
+// Joints, fields and gravity of another world do not decide which bodies are tested for collisions on their paths.
+static void calm_worlds_stay_calm(void** state)
+{
+	(void)state;
+	int trials = device[0] == 'c' ? 1500 : 4;
+	scree_world* jointed = open_space();
+	scree_joint_def joint = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+	joint.body_b = box(jointed, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f);
+	OK(scree_joint_create(jointed, &joint, NULL));
+	for (int k = 0; k < trials; ++k)
+	{
+		scree_world* templates[] = {open_space(), jointed};
+		add_spinners(templates[0]);
+		scree_world* alone = clone_of(templates[0]);
+		scree_batch* batch = open_batch(templates, 2, 0);
+		const scree_vec pulls[2] = {{0.0f, 0.0f}, {0.0f, -1000.0f}};
+		if (k % 2 == 1)
+			OK(scree_batch_set_gravity(batch, pulls));
+		step_both(batch, 0, alone, 2);
+		scree_batch_destroy(batch);
+		scree_world_destroy(alone);
+		scree_world_destroy(templates[0]);
+	}
+	scree_world_destroy(jointed);
+}
+
+static scree_world* open_pair(bool excluded)
+{
+	scree_world* world = open_space();
+	scree_body a = box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f),
+	           b = box(world, SCREE_BODY_DYNAMIC, 1.2f, 0.5f, 0.5f);
+	OK(scree_body_set_velocity(world, b, (scree_velocity){{-1.0f, 0.0f}, 0.0f}));
+	if (excluded)
+		OK(scree_body_set_excluded(world, a, b, true));
+	return world;
+}
+
+// The pairs that never touch in the world that was in a bay before do not apply to the next one.
+static void exclusions_leave_with_their_world(void** state)
+{
+	(void)state;
+	scree_world *templates[] = {open_pair(true), open_pair(false)}, *alone = clone_of(templates[1]);
+	scree_batch* batch = open_batch(templates, 2, 0);
+	const uint8_t both[] = {1, 1}, second[] = {0, 1};
+	OK(scree_batch_step(batch, STEP, 4, 3));
+	OK(scree_batch_pause(batch, both));
+	OK(scree_batch_reset(batch, second));
+	step_both(batch, 1, alone, 20);
+	scree_batch_destroy(batch);
+	scree_world_destroy(alone);
+	for (int k = 0; k < 2; ++k)
+		scree_world_destroy(templates[k]);
+}
+
+// A moving body presses another one against the only static body, which has always been disabled in the template.
+static void disabled_walls_press(void** state)
+{
+	(void)state;
+	scree_world* world = open_space();
+	box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.2f, 0.2f);
+	scree_body ram = box(world, SCREE_BODY_KINEMATIC, -0.5f, 0.25f, 0.5f), wall;
+	OK(scree_body_set_velocity(world, ram, (scree_velocity){{8.0f, 0.0f}, 0.0f}));
+	scree_body_def body = scree_body_def_default();
+	scree_attribute_def attribute = scree_attribute_def_default();
+	body.type = SCREE_BODY_STATIC;
+	body.disabled = true;
+	body.pose.position.x = 0.5f;
+	OK(scree_shape_make_box(0.25f, 1.0f, &attribute.shape));
+	OK(scree_body_create_with_shape(world, &body, &attribute, &wall));
+	scree_world* alone = clone_of(world);
+	OK(scree_body_set_enabled(alone, wall, true));
+	for (int way = 0; way < 2; ++way) // by an input, by a world that is put in
+	{
+		scree_world* copy = clone_of(alone);
+		scree_batch* batch = open_batch(&world, 1, 0);
+		scree_channel channel = scree_channel_make(SCREE_INPUT_ENABLED);
+		float on = 1.0f;
+		channel.body = wall;
+		if (way == 0)
+			OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, &channel, 1, &on));
+		else
+			OK(scree_batch_insert(batch, 0, copy));
+		step_both(batch, 0, copy, 12);
+		scree_batch_destroy(batch);
+		scree_world_destroy(copy);
+	}
+	scree_world_destroy(alone);
+	scree_world_destroy(world);
+}
+
+// A bead moves on a path, far from bodies that meet with more contacts than are allowed.
+static scree_world* open_bead(int contact_limit)
+{
+	scree_world_def def = scree_world_def_default();
+	scree_world* world;
+	scree_body bead, fast;
+	def.device = device;
+	def.threads = 1;
+	def.sleep = false;
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	def.contact_limit = contact_limit;
+	OK(scree_world_create(&def, &world));
+	const scree_pose start = {{0.0f, 0.0f}, {1.0f, 0.0f}}, far = {{100.0f, 0.0f}, {1.0f, 0.0f}},
+	                 farther = {{110.0f, 0.0f}, {1.0f, 0.0f}};
+	OK(scree_body_create_circle(world, SCREE_BODY_DYNAMIC, start, 0.05f, 0, &bead));
+	scree_vec points[16];
+	for (int k = 0; k < 16; ++k)
+		points[k] = (scree_vec){0.5f * (float)k, 0.1f * (float)(k % 2)};
+	scree_path_def path = scree_path_def_default();
+	scree_joint_def joint = scree_joint_def_make(SCREE_JOINT_PATH);
+	path.points = points;
+	path.count = 16;
+	OK(scree_path_create(world, &path, &joint.path));
+	joint.body_b = bead;
+	OK(scree_joint_def_mount(world, &joint, 0.1f));
+	OK(scree_joint_create(world, &joint, NULL));
+	OK(scree_body_set_velocity(world, bead, (scree_velocity){{20.0f, 0.0f}, 0.0f}));
+	for (int k = 0; k < 4; ++k)
+		OK(scree_body_create_circle(world, SCREE_BODY_DYNAMIC, far, 0.2f, 0, NULL));
+	OK(scree_body_create_circle(world, SCREE_BODY_DYNAMIC, farther, 0.2f, 0, &fast));
+	OK(scree_body_set_velocity(world, fast, (scree_velocity){{-50.0f, 0.0f}, 0.0f}));
+	return world;
+}
+
+// A step that is refused because of its contacts leaves also the places on paths.
+static void refused_steps_leave_paths(void** state)
+{
+	(void)state;
+	scree_world *free_world = open_bead(0), *limited = open_bead(7);
+	scree_batch* batch = open_batch(&free_world, 1, 7);
+	scree_batch_counters counters = {.crowded = 0};
+	scree_status status = SCREE_OK;
+	for (int k = 0; k < 40 && (status == SCREE_OK || counters.crowded == 0); ++k)
+	{
+		uint64_t before = hash_of_world(batch, 0), before_alone = hash_alone(limited);
+		assert_true(before == before_alone);
+		status = scree_world_step(limited, STEP, 4);
+		OK(scree_batch_step(batch, STEP, 4, 1));
+		OK(scree_batch_get_counters(batch, &counters));
+		assert_true((status == SCREE_ERROR_CONTACT_LIMIT) == (counters.crowded > 0));
+		assert_true(counters.crowded == 0 || hash_of_world(batch, 0) == before);
+		assert_true(status == SCREE_OK || hash_alone(limited) == before_alone);
+	}
+	assert_true(counters.crowded > 0);
+	scree_batch_destroy(batch);
+	scree_world_destroy(limited);
+	scree_world_destroy(free_world);
+}
+
+// Takes world 0 out, and checks that it can be copied.
+static void take_out(scree_batch* batch)
+{
+	scree_world *taken, *copy;
+	OK(scree_batch_extract(batch, 0, NULL, &taken));
+	copy = clone_of(taken);
+	for (int k = 0; k < 3; ++k)
+	{
+		assert_true(hash_alone(taken) == hash_alone(copy));
+		OK(scree_world_step(taken, STEP, 4));
+		OK(scree_world_step(copy, STEP, 4));
+	}
+	scree_world_destroy(copy);
+	scree_world_destroy(taken);
+}
+
+static void worlds_are_copied_at_once(void** state)
+{
+	(void)state;
+	scree_world* world = open_space(); // no step has reserved memory for reports
+	scree_body a = box(world, SCREE_BODY_STATIC, 0.0f, 0.5f, 0.5f),
+	           b = box(world, SCREE_BODY_DYNAMIC, 1.0f, 0.5f, 0.5f);
+	scree_channel surfaces[2];
+	scree_body bodies[2] = {a, b};
+	int count;
+	for (int k = 0; k < 2; ++k)
+	{
+		surfaces[k] = scree_channel_make(SCREE_INPUT_SURFACE);
+		OK(scree_body_get_collidables(world, bodies[k], &surfaces[k].collidable, 1, &count));
+		box(world, SCREE_BODY_STATIC, 20.0f + 5.0f * (float)k, 0.5f, 0.5f); // shares the attribute
+	}
+	OK(scree_collidable_set_reports(world, surfaces[1].collidable, SCREE_REPORT_TOUCHES));
+	scree_batch* batch = open_batch(&world, 1, 0);
+	OK(scree_batch_step(batch, STEP, 4, 3));
+	take_out(batch);
+	// the attribute that the first surface had is free, below that of the second one
+	const float frictions[3][2] = {{0.1f, 0.6f}, {0.1f, 0.2f}, {0.6f, 0.2f}};
+	float row[8] = {0.0f};
+	OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, surfaces, 2, row));
+	for (int k = 0; k < 3; ++k)
+	{
+		row[0] = frictions[k][0];
+		row[4] = frictions[k][1];
+		OK(scree_batch_step(batch, STEP, 4, 1));
+		take_out(batch);
+	}
+	scree_batch_destroy(batch);
+	scree_world_destroy(world);
+}
+
+// A reset disables the joints of a chain, whose search comes with the next step.
+static void chains_end_in_a_reset(void** state)
+{
+	(void)state;
+	scree_world* world = open_space();
+	scree_body bodies[12];
+	scree_channel channels[12];
+	float row[12] = {0.0f};
+	for (int k = 0; k < 12; ++k)
+	{
+		scree_joint_def joint = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+		const scree_pose place = {{(float)k - 0.5f, 0.0f}, {1.0f, 0.0f}};
+		bodies[k] = box(world, SCREE_BODY_DYNAMIC, (float)k, 0.5f, 0.1f);
+		if (k == 11)
+			OK(scree_body_set_mass(world, bodies[k], (scree_mass){1000.0f, 1000.0f, {0.0f, 0.0f}}));
+		if (k > 0)
+			joint.body_a = bodies[k - 1];
+		joint.body_b = bodies[k];
+		OK(scree_joint_def_place(world, &joint, place));
+		channels[k] = scree_channel_make(SCREE_INPUT_JOINT_ENABLED);
+		OK(scree_joint_create(world, &joint, &channels[k].joint));
+	}
+	for (int k = 0; k < 3; ++k)
+		OK(scree_world_step(world, STEP, 4));
+	for (int on = 0; on < 2; ++on)
+	{
+		scree_world *alone = clone_of(world), *taken;
+		scree_batch* batch = open_batch(&world, 1, 0);
+		OK(scree_batch_bind(batch, SCREE_RESET_INPUTS, channels, 12, row));
+		OK(scree_batch_reset(batch, NULL));
+		take_out(batch);
+		OK(scree_batch_extract(batch, 0, NULL, &taken));
+		for (int k = 0; k < 12; ++k)
+			OK(scree_joint_set_enabled(alone, channels[k].joint, false));
+		for (int k = 0; k < 12 && on; ++k) // the joints are enabled again before the search
+		{
+			OK(scree_joint_set_enabled(alone, channels[k].joint, true));
+			OK(scree_joint_set_enabled(taken, channels[k].joint, true));
+		}
+		for (int k = 0; k < 3; ++k)
+		{
+			OK(scree_world_step(alone, STEP, 4));
+			OK(scree_world_step(taken, STEP, 4));
+			assert_true(hash_alone(taken) == hash_alone(alone));
+		}
+		scree_world_destroy(taken);
+		scree_world_destroy(alone);
+		scree_batch_destroy(batch);
+	}
+	scree_world_destroy(world);
+}
+
+// A center of mass that is too near to the origin for the device moves no output.
+static void outputs_are_the_poses_of_calls(void** state)
+{
+	(void)state;
+	scree_world* world = open_space();
+	scree_body body = box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f);
+	OK(scree_body_set_mass(world, body, (scree_mass){1.0f, 1.0f, {0.0f, 4.33680869e-19f}}));
+	scree_batch* batch = open_batch(&world, 1, 0);
+	scree_channel channel = scree_channel_make(SCREE_OUTPUT_POSE);
+	float row[4];
+	channel.body = body;
+	OK(scree_batch_bind(batch, SCREE_OUTPUTS, &channel, 1, row));
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_pose pose;
+		OK(scree_batch_step(batch, STEP, 4, 1));
+		OK(scree_world_step(world, STEP, 4));
+		OK(scree_body_get_pose(world, body, &pose));
+		assert_memory_equal(row, &pose, sizeof pose);
+	}
+	scree_batch_destroy(batch);
+	scree_world_destroy(world);
+}
+
+// A state with more contacts than the limit is accepted, as the batch with the limit may have saved it; new ones are not.
+static void states_above_the_limit(void** state)
+{
+	(void)state;
+	char row[16384];
+	const int first = 0;
+	scree_world* world = open_space();
+	for (int k = 0; k < 3; ++k)
+		box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f);
+	scree_batch *free_batch = open_batch(&world, 1, 0), *limited = open_batch(&world, 1, 2);
+	size_t bytes = scree_batch_get_state_bytes(free_batch);
+	assert_true(bytes <= sizeof row);
+	OK(scree_batch_step(free_batch, STEP, 4, 1));
+	OK(scree_batch_save(free_batch, &first, 1, row, sizeof row));
+	OK(scree_batch_load(limited, &first, 1, row, 0));
+	assert_true(hash_of_world(limited, 0) == hash_of_world(free_batch, 0));
+	OK(scree_batch_save(limited, &first, 1, row, sizeof row));
+	OK(scree_batch_load(limited, &first, 1, row, 0));
+	scree_batch_destroy(limited);
+	scree_batch_destroy(free_batch);
+	scree_world* none[2] = {world, NULL};
+	scree_batch_def def = scree_batch_def_default();
+	def.device = device;
+	def.templates = none;
+	def.template_count = 2;
+	REFUSED(scree_batch_create(&def, &limited), "scree_batch_create: def.templates[1] is null");
+	scree_world_destroy(world);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+	    cmocka_unit_test(calm_worlds_stay_calm),          cmocka_unit_test(exclusions_leave_with_their_world),
+	    cmocka_unit_test(disabled_walls_press),           cmocka_unit_test(refused_steps_leave_paths),
+	    cmocka_unit_test(worlds_are_copied_at_once),      cmocka_unit_test(chains_end_in_a_reset),
+	    cmocka_unit_test(outputs_are_the_poses_of_calls), cmocka_unit_test(states_above_the_limit),
+	};
+	int failures = 0;
+	find_second_device(NULL);
+	for (int k = 0; k < 2; ++k)
+	{
+		device = k == 0 ? "cpu" : second_device;
+		if (device[0])
+			failures += cmocka_run_group_tests_name(device, tests, NULL, memory_is_released);
+	}
+	return failures;
+}
