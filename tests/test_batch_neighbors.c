@@ -3,11 +3,13 @@
 // out can be copied at once.
 //
 // Formula: hash(world in a batch) = hash(same world alone).
+#include "batch/batch.h"
 #include "support/batch_checks.h"
 #include "support/second_device.h"
 #include <string.h>
 
 #define STEP (1.0f / 60.0f)
+#define ROWS 4 // maximum number of worlds of a batch
 
 static const char* device;
 
@@ -54,7 +56,7 @@ static uint64_t hash_alone(scree_world* world)
 
 static uint64_t hash_of_world(scree_batch* batch, int world)
 {
-	uint64_t hashes[2];
+	uint64_t hashes[ROWS];
 	OK(scree_batch_get_hashes(batch, hashes));
 	return hashes[world];
 }
@@ -296,41 +298,85 @@ static void worlds_are_copied_at_once(void** state)
 	scree_world_destroy(world);
 }
 
+#define LINKS 12
+
+// Opens a world with a row of boxes that hang together. With a heavy last box they are solved as a chain.
+static scree_world* open_row(int links, float last_mass, scree_body* last, scree_joint joints[LINKS])
+{
+	scree_world* world = open_space();
+	scree_body before = {0};
+	for (int k = 0; k < links; ++k)
+	{
+		scree_joint_def joint = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+		const scree_pose place = {{(float)k - 0.5f, 0.0f}, {1.0f, 0.0f}};
+		*last = box(world, SCREE_BODY_DYNAMIC, (float)k, 0.5f, 0.1f);
+		if (k > 0)
+			joint.body_a = before;
+		joint.body_b = before = *last;
+		OK(scree_joint_def_place(world, &joint, place));
+		OK(scree_joint_create(world, &joint, joints + k));
+	}
+	OK(scree_body_set_mass(world, *last, (scree_mass){last_mass, last_mass, {0.0f, 0.0f}}));
+	OK(scree_body_set_velocity(world, *last, (scree_velocity){{0.0f, 3.0f}, 0.0f}));
+	for (int k = 0; k < 3; ++k)
+		OK(scree_world_step(world, STEP, 4));
+	return world;
+}
+
+// The places in a chain of the world that was in a bay before do not apply to the next one.
+static void chains_leave_with_their_world(void** state)
+{
+	(void)state;
+	scree_joint joints[LINKS];
+	scree_channel channel = scree_channel_make(SCREE_INPUT_MASS);
+	scree_world *world = open_row(5, 1.0f, &channel.body, joints), *templates[ROWS] = {world, world, world, world};
+	scree_world *first = clone_of(world), *last = clone_of(world);
+	scree_batch* batch = open_batch(templates, ROWS, 0);
+	const uint8_t all[ROWS] = {1, 1, 1, 1}, one[ROWS] = {1, 0, 0, 0}, others[ROWS] = {0, 1, 1, 1};
+	float rows[4 * ROWS] = {0.0f};
+	for (int k = 0; k < ROWS; ++k)
+		rows[4 * k] = rows[4 * k + 1] = 1000.0f;
+	OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, &channel, 1, rows));
+	OK(scree_batch_step(batch, STEP, 4, 2));
+	assert_true(batch->blocks[0].pipeline.chain_places > 0 && !world->pipeline.chain_places);
+	OK(scree_batch_bind(batch, SCREE_STEP_INPUTS, NULL, 0, NULL));
+	OK(scree_batch_reset(batch, NULL));
+	OK(scree_batch_pause(batch, all));
+	OK(scree_batch_reset(batch, one)); // only its bay gets new places
+	step_both(batch, 0, first, 3);
+	OK(scree_batch_reset(batch, others));
+	step_both(batch, ROWS - 1, last, 20);
+	scree_batch_destroy(batch);
+	scree_world_destroy(first);
+	scree_world_destroy(last);
+	scree_world_destroy(world);
+}
+
 // A reset disables the joints of a chain, whose search comes with the next step.
 static void chains_end_in_a_reset(void** state)
 {
 	(void)state;
-	scree_world* world = open_space();
-	scree_body bodies[12];
-	scree_channel channels[12];
-	float row[12] = {0.0f};
-	for (int k = 0; k < 12; ++k)
+	scree_joint joints[LINKS];
+	scree_body last;
+	scree_world* world = open_row(LINKS, 1000.0f, &last, joints);
+	scree_channel channels[LINKS];
+	float row[LINKS] = {0.0f};
+	for (int k = 0; k < LINKS; ++k)
 	{
-		scree_joint_def joint = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
-		const scree_pose place = {{(float)k - 0.5f, 0.0f}, {1.0f, 0.0f}};
-		bodies[k] = box(world, SCREE_BODY_DYNAMIC, (float)k, 0.5f, 0.1f);
-		if (k == 11)
-			OK(scree_body_set_mass(world, bodies[k], (scree_mass){1000.0f, 1000.0f, {0.0f, 0.0f}}));
-		if (k > 0)
-			joint.body_a = bodies[k - 1];
-		joint.body_b = bodies[k];
-		OK(scree_joint_def_place(world, &joint, place));
 		channels[k] = scree_channel_make(SCREE_INPUT_JOINT_ENABLED);
-		OK(scree_joint_create(world, &joint, &channels[k].joint));
+		channels[k].joint = joints[k];
 	}
-	for (int k = 0; k < 3; ++k)
-		OK(scree_world_step(world, STEP, 4));
 	for (int on = 0; on < 2; ++on)
 	{
 		scree_world *alone = clone_of(world), *taken;
 		scree_batch* batch = open_batch(&world, 1, 0);
-		OK(scree_batch_bind(batch, SCREE_RESET_INPUTS, channels, 12, row));
+		OK(scree_batch_bind(batch, SCREE_RESET_INPUTS, channels, LINKS, row));
 		OK(scree_batch_reset(batch, NULL));
 		take_out(batch);
 		OK(scree_batch_extract(batch, 0, NULL, &taken));
-		for (int k = 0; k < 12; ++k)
+		for (int k = 0; k < LINKS; ++k)
 			OK(scree_joint_set_enabled(alone, channels[k].joint, false));
-		for (int k = 0; k < 12 && on; ++k) // the joints are enabled again before the search
+		for (int k = 0; k < LINKS && on; ++k) // the joints are enabled again before the search
 		{
 			OK(scree_joint_set_enabled(alone, channels[k].joint, true));
 			OK(scree_joint_set_enabled(taken, channels[k].joint, true));
@@ -404,10 +450,11 @@ static void states_above_the_limit(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(calm_worlds_stay_calm),          cmocka_unit_test(exclusions_leave_with_their_world),
-	    cmocka_unit_test(disabled_walls_press),           cmocka_unit_test(refused_steps_leave_paths),
-	    cmocka_unit_test(worlds_are_copied_at_once),      cmocka_unit_test(chains_end_in_a_reset),
-	    cmocka_unit_test(outputs_are_the_poses_of_calls), cmocka_unit_test(states_above_the_limit),
+	    cmocka_unit_test(calm_worlds_stay_calm),     cmocka_unit_test(exclusions_leave_with_their_world),
+	    cmocka_unit_test(disabled_walls_press),      cmocka_unit_test(refused_steps_leave_paths),
+	    cmocka_unit_test(worlds_are_copied_at_once), cmocka_unit_test(chains_leave_with_their_world),
+	    cmocka_unit_test(chains_end_in_a_reset),     cmocka_unit_test(outputs_are_the_poses_of_calls),
+	    cmocka_unit_test(states_above_the_limit),
 	};
 	int failures = 0;
 	find_second_device(NULL);

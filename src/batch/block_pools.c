@@ -218,7 +218,8 @@ static scree_status fill_chains(Block* block)
 {
 	const Bays* bays = &block->pipeline.bays;
 	int live = block->pipeline.live_bays;
-	size_t slots = (size_t)live << bays->joint_bits, rows = 0, joints = 0, branches = 0, nodes = 0;
+	// slots of all worlds, because a bay that is not live may have spots of its last world
+	size_t slots = (size_t)block->worlds << bays->joint_bits, rows = 0, joints = 0, branches = 0, nodes = 0;
 	for (int k = 0; k < live; ++k)
 	{
 		const ChainSearch* chains = block_own_chains(block, block->row_of[k]);
@@ -250,7 +251,8 @@ static bool has_chains(const Block* block)
 		if (block->spare_of[t] >= 0 &&
 		    block->templates[t].chains.layout.count + block->templates[t].chains.layout.branch_count > 0)
 			return true;
-	return block->chains_stale || block_own_has_chains(block);
+	const Pipeline* p = &block->pipeline; // chains that have ended leave spots
+	return block->chains_stale || block_own_has_chains(block) || p->chain_places > 0 || p->branches > 0;
 }
 
 // Sets the numbers of items in use.
