@@ -248,6 +248,45 @@ static void refused_steps_leave_paths(void** state)
 	scree_world_destroy(free_world);
 }
 
+// Such a step leaves also the marks that wake bodies: here a sleeping body hangs on one that begins to move.
+static void refused_steps_leave_sleepers(void** state)
+{
+	(void)state;
+	scree_world_def def = scree_world_def_default();
+	scree_world* world;
+	scree_counters counters = {.asleep_bodies = 0};
+	def.device = device;
+	def.threads = 1;
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	def.contact_limit = 7;
+	OK(scree_world_create(&def, &world));
+	scree_joint_def joint = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+	joint.body_a = box(world, SCREE_BODY_KINEMATIC, 0.0f, 0.5f, 0.5f);
+	joint.body_b = box(world, SCREE_BODY_DYNAMIC, 1.2f, 0.5f, 0.5f);
+	const scree_pose middle = {{0.6f, 0.0f}, {1.0f, 0.0f}}, far = {{100.0f, 0.0f}, {1.0f, 0.0f}};
+	OK(scree_joint_def_place(world, &joint, middle));
+	OK(scree_joint_create(world, &joint, NULL));
+	for (int k = 0; k < 300 && counters.asleep_bodies == 0; ++k)
+	{
+		OK(scree_world_step(world, STEP, 4));
+		OK(scree_world_get_counters(world, &counters));
+	}
+	assert_int_equal(counters.asleep_bodies, 1);
+	OK(scree_body_set_velocity(world, joint.body_a, (scree_velocity){{5.0f, 0.0f}, 0.0f}));
+	for (int k = 0; k < 5; ++k)
+		OK(scree_body_create_circle(world, SCREE_BODY_DYNAMIC, far, 0.2f, 0, NULL));
+	uint64_t before = hash_alone(world);
+	assert_int_equal(scree_world_step(world, STEP, 4), SCREE_ERROR_CONTACT_LIMIT);
+	assert_true(hash_alone(world) == before);
+	scree_batch* batch = open_batch(&world, 1, 7);
+	scree_batch_counters crowd;
+	OK(scree_batch_step(batch, STEP, 4, 1));
+	OK(scree_batch_get_counters(batch, &crowd));
+	assert_true(crowd.crowded > 0 && hash_of_world(batch, 0) == before);
+	scree_batch_destroy(batch);
+	scree_world_destroy(world);
+}
+
 // Takes world 0 out, and checks that it can be copied.
 static void take_out(scree_batch* batch)
 {
@@ -450,11 +489,11 @@ static void states_above_the_limit(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(calm_worlds_stay_calm),     cmocka_unit_test(exclusions_leave_with_their_world),
-	    cmocka_unit_test(disabled_walls_press),      cmocka_unit_test(refused_steps_leave_paths),
-	    cmocka_unit_test(worlds_are_copied_at_once), cmocka_unit_test(chains_leave_with_their_world),
-	    cmocka_unit_test(chains_end_in_a_reset),     cmocka_unit_test(outputs_are_the_poses_of_calls),
-	    cmocka_unit_test(states_above_the_limit),
+	    cmocka_unit_test(calm_worlds_stay_calm),          cmocka_unit_test(exclusions_leave_with_their_world),
+	    cmocka_unit_test(disabled_walls_press),           cmocka_unit_test(refused_steps_leave_paths),
+	    cmocka_unit_test(refused_steps_leave_sleepers),   cmocka_unit_test(worlds_are_copied_at_once),
+	    cmocka_unit_test(chains_leave_with_their_world),  cmocka_unit_test(chains_end_in_a_reset),
+	    cmocka_unit_test(outputs_are_the_poses_of_calls), cmocka_unit_test(states_above_the_limit),
 	};
 	int failures = 0;
 	find_second_device(NULL);

@@ -122,7 +122,7 @@ INLINE int field_carried(const Pools* p, int carrier)
 // fields, in a batch of spots of a bay.
 KERNEL(field_wake)
 {
-	if (p->sleep[i] == 0)
+	if (p->counters->stalled || p->sleep[i] == 0)
 		return;
 	int bay = bay_of_body(p, i);
 	for (int k = p->continuous_body[i].first; k > 0; k = p->next_collidable[k - 1])

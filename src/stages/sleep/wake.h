@@ -9,11 +9,13 @@
 #include "stages/color/joint_edges.h"
 #include "stages/sleep/groups.h"
 
+// Kernels that mark islands do nothing in a step that is refused or repeated, because the marks are a part of the state.
+//
 // Marks the islands of sleeping bodies that touch a static or kinematic collidable that moves or was changed.
 KERNEL(contact_wake)
 {
 	Word flags = p->contact_flags[i];
-	if (i >= p->counters->live || !(flags & CONTACT_ASLEEP))
+	if (p->counters->stalled || i >= p->counters->live || !(flags & CONTACT_ASLEEP))
 		return;
 	Int2 pair = p->pair[i];
 	if ((p->collidable_flags[pair.x] | p->collidable_flags[pair.y]) & COLLIDABLE_SHIFTED)
@@ -29,7 +31,7 @@ INLINE int support_moves(const Pools* p, int i)
 // Marks the island of a sleeping body that is joined to a static or kinematic body that moves.
 KERNEL(joint_wake)
 {
-	if (!(p->joint_flags[i] & JOINT_ASLEEP))
+	if (p->counters->stalled || !(p->joint_flags[i] & JOINT_ASLEEP))
 		return;
 	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
 	if (support_moves(p, bodies.x) || support_moves(p, bodies.y))
