@@ -34,8 +34,7 @@ typedef struct
 	float device_timeout; // OpenCL: scree_world_def.device_timeout, s
 	bool gpu;             // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
 	bool batch;           // OpenCL: the device gets the worlds of a batch
-	Backend*
-	    beside; // OpenCL: the same device, open for other worlds of the batch, or null; its pinned memory also serves this one
+	Backend* beside; // OpenCL: the same device with other worlds of the batch, whose pinned memory serves both; or null
 	const scree_opengl* opengl; // OpenGL context with which memory is shared, or null
 	const scree_tasks* tasks;   // scree_world_def.tasks
 	TestWorlds* test;           // OpenCL: test of a device without a verdict; null: it is not tested

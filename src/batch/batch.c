@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // batch.c -- makes batches, and does work for all blocks of a batch.
 //
-// On a GPU all worlds with the same tuning share one block, or two if they are many. On a CPU a worker steps the worlds of a block alone, so that no
-// worker waits for another within a step, and the pools of a block stay in the worker's cache.
+// On a GPU all worlds with the same tuning share one block, or two if they are many. On a CPU a worker steps the worlds of a
+// block alone, so that no worker waits for another within a step, and the pools of a block stay in the worker's cache.
 #include "batch/batch.h"
 #include "batch/channel_rows.h"
 #include "batch/fingerprint.h"
@@ -35,9 +35,6 @@ typedef struct
 	atomic_flag busy; // set while a worker changes the two members above
 } Job;
 
-// Returns the first block of the share of a worker.
-static int share(int blocks, int worker, int workers) { return (int)((int64_t)blocks * worker / workers); }
-
 static void fail_job(Job* job, int block, scree_status status)
 {
 	while (atomic_flag_test_and_set(&job->busy))
@@ -60,8 +57,8 @@ static void work_blocks(void* context, int worker, int workers)
 	const scree_batch* batch = job->batch;
 	for (int turn = 0; turn < workers; ++turn)
 	{
-		int owner = (worker + turn) % workers, begin = share(batch->block_count, owner, workers);
-		int end = share(batch->block_count, owner + 1, workers);
+		int owner = (worker + turn) % workers, begin = split(batch->block_count, owner, workers);
+		int end = split(batch->block_count, owner + 1, workers);
 		for (int k; (k = atomic_fetch_add(job->taken + owner, 1)) < end - begin;)
 		{
 			int block = batch->backwards ? end - 1 - k : begin + k;

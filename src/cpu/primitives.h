@@ -24,7 +24,4 @@ void sort_keys(Shared* shared, Threads* threads, int blocks, uint64_t* keys, uin
 // Replaces each of the first `count` values by the sum of the values before it.
 void scan_values(Shared* shared, Threads* threads, int blocks, int* values, int count);
 
-// Returns the first item of a part, when `count` items are split evenly into `parts` parts.
-static inline int split(int count, int part, int parts) { return (int)((int64_t)count * part / parts); }
-
 #endif

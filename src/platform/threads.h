@@ -5,6 +5,7 @@
 #include "platform/exact_floats.h"
 #include "scree/scree.h"
 #include <stdbool.h>
+#include <stdint.h>
 
 #define MAX_WORKERS 64
 
@@ -28,6 +29,9 @@ void threads_end(Threads* t);
 // Processes blocks 0 to `blocks` - 1 and returns when all are done; `blocks` may not exceed the number of workers.
 // Worker k processes block k, because its caches hold the data; if it sleeps or has no core, another worker does.
 void threads_run(Threads* t, BlockFunction* function, void* context, int blocks);
+
+// Returns the first item of a part, when `count` items are split evenly into `parts` parts.
+static inline int split(int count, int part, int parts) { return (int)((int64_t)count * part / parts); }
 
 // Wakes the workers and processes a single job, with as many blocks as workers.
 void threads_run_once(Threads* t, BlockFunction* function, void* context);

@@ -91,8 +91,7 @@ static scree_status check_joints(const ChunkIndex* index, const scree_world* wor
 			CHECK_ITEM(!(ITEMS(int, joint_flags)[k] & JOINT_THERE), "joint_flags", k);
 		CHECK_ITEM(in_range(bodies.x, 0, world->bodies.used) && in_range(bodies.y, 0, world->bodies.used),
 		           "joint_bodies", k);
-		int spot = world->host_joints[k].spot;
-		CHECK_ITEM(ITEMS(int, joint_spot)[k] == (spot == SPOT_UNKNOWN ? -1 : spot), "joint_spot", k);
+		CHECK_ITEM(ITEMS(int, joint_spot)[k] == made.spot, "joint_spot", k);
 	}
 	for (int k = 0; k < world->pipeline.counters.joint_events; ++k)
 		CHECK_ITEM(in_range(ITEMS(JointEvent, joint_event)[k].slot, 0, world->joints.used), "joint_event", k);
