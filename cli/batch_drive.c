@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // batch_drive.c -- drives the worlds of a batch that is measured: random resets and inputs before each step, outputs after it.
 #include "batch_drive.h"
+#include "platform/threads.h"
 #include <scree/scree_math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,11 +10,13 @@
 #define SEED           1                 // seed of the resets; another one gives other sums of hashes
 #define PREPARED_BYTES ((size_t)1 << 28) // size of the resets and inputs that are prepared at once
 
-BatchDrive batch_drive_make(const Options* options)
+BatchDrive batch_drive_make(const Options* options, int k, int shares)
 {
-	int64_t part = options->part, parts = options->parts;
-	int64_t first = options->worlds * (part - 1) / parts, end = options->worlds * part / parts;
-	return (BatchDrive){.options = options, .first = (int)first, .worlds = (int)(end - first)};
+	int begin = split(options->worlds, options->part - 1, options->parts);
+	int worlds = split(options->worlds, options->part, options->parts) - begin;
+	int first = split(worlds, k, shares), end = split(worlds, k + 1, shares);
+	return (BatchDrive){
+	    .options = options, .first = begin + first, .worlds = end - first, .most = (worlds + shares - 1) / shares};
 }
 
 // Binds poses and velocities of the bodies, in turns, with at most Options.columns columns.
@@ -37,8 +40,8 @@ static scree_status bind_outputs(BatchDrive* drive, scree_channel* list, const s
 static bool allocate(BatchDrive* drive, int steps, char* sentence)
 {
 	size_t worlds = (size_t)drive->worlds, inputs = (size_t)drive->random.count * sizeof *drive->inputs;
-	size_t most = PREPARED_BYTES / (worlds * (1 + inputs)) + 1;
-	drive->ready = most < (size_t)steps ? (int)most : steps;
+	size_t ready = PREPARED_BYTES / ((size_t)drive->most * (1 + inputs)) + 1;
+	drive->ready = ready < (size_t)steps ? (int)ready : steps;
 	if (drive->options->resets > 0.0f)
 		drive->masks = malloc(worlds * (size_t)drive->ready);
 	if (inputs > 0)
@@ -75,7 +78,9 @@ void batch_drive_close(BatchDrive* drive)
 	wall_inputs_close(&drive->random);
 	free(drive->masks);
 	free(drive->inputs);
-	*drive = batch_drive_make(drive->options);
+	drive->masks = NULL;
+	drive->inputs = NULL;
+	drive->batch = NULL;
 }
 
 void batch_drive_prepare(BatchDrive* drive, int step)

@@ -12,15 +12,16 @@ typedef struct
 	const Options* options;
 	int first, worlds;  // number of the first world of this batch among Options.worlds; number of its worlds
 	int columns;        // columns of the outputs
-	int ready;          // number of steps whose resets and inputs are prepared at once
+	int most;           // number of worlds of the largest share
+	int ready;          // number of steps whose resets and inputs are prepared at once, the same for all shares
 	WallInputs random;  // inputs that are bound
 	uint8_t* masks;     // [ready][worlds]: worlds that are reset before a step; null without resets
 	float* inputs;      // [ready][worlds][random.count]; null without inputs
 	scree_batch* batch; // not owned
 } BatchDrive;
 
-// Returns the part of the worlds that the options select; Options.parts is at least 1.
-BatchDrive batch_drive_make(const Options* options);
+// Returns share k of `shares` of the part of the worlds that the options select; Options.parts is at least 1.
+BatchDrive batch_drive_make(const Options* options, int k, int shares);
 
 // Returns whether a world, a number among all worlds, is never reset and keeps the inputs of the scene: the first and the last one.
 static inline bool batch_drive_keeps(const BatchDrive* drive, int64_t world)
@@ -31,7 +32,7 @@ static inline bool batch_drive_keeps(const BatchDrive* drive, int64_t world)
 // Binds inputs and outputs to objects of the template, and makes room for `steps` steps. Writes a sentence (SCENE_SENTENCE
 // characters) and returns false on failure. The caller closes the drive also on failure.
 bool batch_drive_bind(BatchDrive* drive, scree_batch* batch, scree_world* world, int steps, char* sentence);
-void batch_drive_close(BatchDrive* drive);
+void batch_drive_close(BatchDrive* drive); // the share and the number of columns stay
 
 // Prepares the steps from `step` on, if it is the first of `ready` ones.
 void batch_drive_prepare(BatchDrive* drive, int step);

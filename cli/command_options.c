@@ -2,6 +2,7 @@
 // command_options.c -- defines the options of scree, and the commands that accept each option.
 #include "command_options.h"
 #include "cli/common/option_values.h"
+#include "platform/threads.h"
 #include "tools/common/recording_file.h"
 #include <stdio.h>
 #include <string.h>
@@ -148,6 +149,9 @@ static const Option columns = {"columns", 'C', "N",
 static const Option part = {"part", 'P', "K/N",
                             "with --worlds: measure part K of N of the worlds; N processes measure them all",
                             OTHER(read_part)};
+static const Option batches = {
+    "batches", 'B', "N", "with --worlds: N batches share the worlds; a thread for each steps them at the same time",
+    NUMBER(Options, batches, MAX_WORKERS)};
 static const Option whole = {"whole", 'w', NULL,
                              "measure whole runs, including the time to open the device: docs/manual/auto.md",
                              SWITCH(Options, whole)};
@@ -195,6 +199,7 @@ static const OptionRow rows[] = {
     {&inputs, BENCH},
     {&columns, BENCH},
     {&part, BENCH},
+    {&batches, BENCH},
     {&option_known, BENCH},
     {&names, SCENES | VALIDATE},
     {&test, DEVICES},
@@ -245,7 +250,7 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 	if (options->command == VALIDATE && options->names &&
 	    options_no_effect(table, options, given, "dtluq", "--names runs nothing"))
 		return false;
-	if (options->worlds == 0 && options_no_effect(table, options, given, "yfKgCP", "there is no --worlds"))
+	if (options->worlds == 0 && options_no_effect(table, options, given, "yfKgCPB", "there is no --worlds"))
 		return false;
 	if (options->worlds > 0 && options_no_effect(table, options, given, "wI", "--worlds steps a batch"))
 		return false;
@@ -265,6 +270,12 @@ static bool have_effect(const OptionTable* table, const Options* options, uint64
 	{
 		fprintf(stderr, "%s %s: --part %d/%d: there are %d worlds\n", program_name, options->name, options->part,
 		        options->parts, options->worlds);
+		return false;
+	}
+	if (options->worlds > 0 && options->batches > options->worlds / options->parts)
+	{
+		fprintf(stderr, "%s %s: --batches %d: there are %d worlds\n", program_name, options->name, options->batches,
+		        options->worlds / options->parts);
 		return false;
 	}
 	if (options->whole && options_no_effect(table, options, given, "k", "--whole compares no hashes"))

@@ -52,6 +52,13 @@ int main(int count, char** words)
 {
 	const CommandLine line = {"scree", "2D rigid body physics, bit-identical on every device", commands,
 	                          (int)(sizeof commands / sizeof commands[0]), command_options};
-	Options options = {.device = "auto", .width = 1600, .height = 900, .repeats = 3, .hash_interval = 60};
+	Options options = {.device = "auto",
+	                   .width = 1600,
+	                   .height = 900,
+	                   .repeats = 3,
+	                   .hash_interval = 60,
+	                   .part = 1,
+	                   .parts = 1,
+	                   .batches = 1};
 	return command_line_run(&line, &options, count, words);
 }

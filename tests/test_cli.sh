@@ -279,16 +279,16 @@ refuse 2 'no scene is called "nothing"' hash nothing --steps 1
 refuse 2 'no scene is called "nothing"' bench pyramid nothing
 
 # batches: the first and the last world have the hash of the world alone, the sum is the same for all threads, lanes and runs
-heading=scene,settings,device,threads,lanes,worlds,part,resets,inputs,columns,bodies,steps,ms_create,ms_step,ms_least,ms_most
+heading=scene,settings,device,threads,lanes,worlds,part,batches,resets,inputs,columns,bodies,steps,ms_create,ms_step,ms_least,ms_most
 heading+=,world_steps_s,contacts,touching,asleep,penetration,joint_gap,hash_sum,hash_first,hash_last,hash,valid
 expect 0 "$heading" bench pyramid --steps 5 --set rows=6 --worlds 30 --threads 1
-cut -d, -f 1-12,24-27 out | grep -qxE "pyramid,rows=6,cpu,1,[0-9]+,30,1/1,0,0,0,22,5,$hash,$hash,$hash,1" ||
+cut -d, -f 1-13,25-28 out | grep -qxE "pyramid,rows=6,cpu,1,[0-9]+,30,1/1,1,0,0,0,22,5,$hash,$hash,$hash,1" ||
 	fail "bench --worlds: an unexpected row"
-awk -F, 'NR == 2 { exit !($13 > 0 && $15 <= $14 && $14 <= $16 && $17 > 0 && $18 == 30 * 51 && $19 == 30 * 51 && $20 == 0 && $21 > 0) }' out ||
+awk -F, 'NR == 2 { exit !($14 > 0 && $16 <= $15 && $15 <= $17 && $18 > 0 && $19 == 30 * 51 && $20 == 30 * 51 && $21 == 0 && $22 > 0) }' out ||
 	fail "bench --worlds: columns that cannot be"
 dolls=(ragdolls --steps 20 --set columns=1 --set rows=1 --worlds 40 --resets 10 --template-steps 30)
 expect 0 'columns=1 rows=1 --template-steps=30,cpu,2,' bench "${dolls[@]}" --threads 2
-sum=$(sed 1d out | cut -d, -f 23-27)
+sum=$(sed 1d out | cut -d, -f 24-28)
 expect 0 "$sum" bench "${dolls[@]}" --threads 1 --lanes 1 --repeats 1
 cp out batch.csv
 expect 0 "$sum" bench "${dolls[@]}" --repeats 1 --known batch.csv
@@ -298,20 +298,26 @@ sed 's/,[0-9a-f]*,1$/,0123456789abcdef,1/' batch.csv >other.csv
 expect 1 'ragdolls is invalid: its hash is' bench "${dolls[@]}" --repeats 1 --known other.csv
 # inputs move all worlds but the first and the last; parts of the worlds have the hashes that they have together
 moved=(walker --steps 20 --worlds 40 --resets 10 --inputs --columns 20 --threads 1 --repeats 1)
-expect 0 ',40,1/1,10,1,18,' bench "${moved[@]}"
-sum=$(sed 1d out | cut -d, -f 23)
+expect 0 ',40,1/1,1,10,1,18,' bench "${moved[@]}"
+sum=$(sed 1d out | cut -d, -f 24)
 parts=0
 for part in 1/3 2/3 3/3; do
-	expect 0 ",$part,10,1,18," bench "${moved[@]}" --part $part
-	parts=$((parts + 0x$(sed 1d out | cut -d, -f 23)))
+	expect 0 ",$part,1,10,1,18," bench "${moved[@]}" --part $part
+	parts=$((parts + 0x$(sed 1d out | cut -d, -f 24)))
 done
 [ "$(printf %016x $parts)" = "$sum" ] || fail "bench --part: the parts have another sum of hashes"
+for batches in 2 3; do
+	expect 0 "$sum" bench "${moved[@]}" --batches $batches
+	grep -q ",40,1/1,$batches,10,1,18," out || fail "bench --batches: an unexpected row"
+done
 expect 0 "$sum" bench "${moved[@]}" --columns 1 --threads 2 --lanes 1
-grep -q ',1/1,10,1,0,' out || fail "bench --columns 1: a pose has four columns"
+grep -q ',1/1,1,10,1,0,' out || fail "bench --columns 1: a pose has four columns"
 expect 0 ',1' bench "${dolls[@]}" --inputs --repeats 1
 refuse 2 '--part 4/3: must be K/N' bench pyramid --worlds 4 --part 4/3
 refuse 2 '--part 0/3: must be K/N' bench pyramid --worlds 4 --part 0/3
 refuse 2 '--part 1/5: there are 4 worlds' bench pyramid --worlds 4 --part 1/5
+refuse 2 '--batches 3: there are 2 worlds' bench pyramid --worlds 4 --part 1/2 --batches 3
+refuse 2 '--batches has no effect: there is no --worlds' bench pyramid --batches 2
 refuse 2 '--columns 0: must be a whole number from 1' bench pyramid --worlds 4 --columns 0
 refuse 2 '--inputs has no effect: there is no --worlds' bench pyramid --inputs
 refuse 2 '--worlds 0: must be a whole number from 1' bench pyramid --worlds 0

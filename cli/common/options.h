@@ -48,7 +48,8 @@ typedef struct
 	float resets;            // percentage of the worlds of a batch that are reset before each step
 	bool inputs;             // random inputs of the worlds of a batch before each step
 	int columns;             // largest number of columns of the outputs of a batch
-	int part, parts;         // this part of the worlds of a batch, 1 to parts; 0: all worlds
+	int batches;             // number of batches that step the worlds at the same time
+	int part, parts;         // this part of the worlds of a batch, 1 to parts
 	const char* known;       // path of a CSV with expected hashes; null: none
 	bool names, test, whole, quick;
 	bool help; // true: the command prints its help; the options after --help were not read
