@@ -204,7 +204,9 @@ void pair_open(Pair* pair, const Place places[2])
 	worker_open(pair);
 	const Call made = call_make(CALL_world);
 	arithmetic_setting.flush = places[1].flush;
-	run_world(&places[1], &made, &pair->keeper); // a failure is reported when the first program fails in the same way
+	// a failure is reported when the first program fails in the same way
+	if (run_world(&places[1], &made, &pair->keeper) == SCREE_OK && (places[1].batches || places[1].reads))
+		pair->batch_keeper = batch_keep(pair->keeper, &places[1]);
 }
 
 static void ignore_line(scree_log_level level, const char* sentence, void* context)
@@ -234,6 +236,7 @@ void pair_forget(Pair* pair)
 void pair_close(Pair* pair)
 {
 	pair_forget(pair);
+	scree_batch_destroy(pair->batch_keeper);
 	scree_world_destroy(pair->keeper);
 	if (pair->worker)
 		worker_close(pair->worker);

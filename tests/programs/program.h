@@ -87,7 +87,9 @@ typedef struct // two worlds on which programs run one after another
 	char homes[2][160]; // devices on which the worlds were created
 	Call made;          // the call that created the worlds
 	struct Names* names[2];
-	scree_world* keeper;   // keeps the context on a GPU open while a program has no world there; null: the CPU
+	// They keep the contexts on a GPU open while a program has no world and no batch there; null: the CPU, no batches.
+	scree_world* keeper;
+	scree_batch* batch_keeper;
 	struct Worker* worker; // thread that takes the steps of the reference; null: no such thread
 	bool infinite;         // true: a state that is not finite is not reported
 	bool limits;           // true: a body beyond the limits of its world is reported
