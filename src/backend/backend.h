@@ -115,6 +115,8 @@ typedef struct // every function that returns a status sets the error's sentence
 	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
 	// executes a solve up to the final poses, as the runs of solve_list would; list: empty, with capacity for them
 	scree_status (*solve)(Backend* b, const Step* step, const Solve* solve, RunList* list);
+	// returns whether `solve` would find a layout of the constraints that the host has not read; may be null
+	bool (*finds_layout)(Backend* b, const Step* step, const Solve* solve);
 	// copy `count` items of a pool from item `first` on, in order with the runs. write: to the device; read: from the
 	// device; read returns after its copy
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);

@@ -20,8 +20,9 @@ typedef struct
 	bool wide;    // they are finalized in lanes
 	bool taut;    // joints may pull so hard that bodies need larger inertias for the step
 	const Counters* counters; // counters on the host; they contain the layout of the constraints
-	int visited;              // counter of the bodies that the solve visits; or NO_COUNT: all
-	int bound; // counter that is 0 if the layout is out of date, so that the device skips the solve; or NO_COUNT
+	int places; // 0; or the number of places for which the solve has room, which finds a new layout in the counters of the device
+	int visited; // counter of the bodies that the solve visits; or NO_COUNT: all
+	int bound;   // counter that is 0 if the layout is out of date, so that the device skips the solve; or NO_COUNT
 } Solve;
 
 // Returns the number of places of spokes, including padding.

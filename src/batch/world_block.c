@@ -163,7 +163,7 @@ static bool change_templates(Block* block, const uint8_t* mask)
 static scree_status list_again(Block* block)
 {
 	TRY(block_count(block, block->pipeline.live_bays));
-	block->pipeline.counters.changed = 1; // the next step must not begin its solve before it has read the counters
+	block->pipeline.counters.changed = 1; // the next step may need another layout
 	block->pipeline.dirty = true;
 	return SCREE_OK;
 }

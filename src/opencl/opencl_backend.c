@@ -347,6 +347,7 @@ static scree_status opencl_open_device(const BackendOptions* options, const Devi
 	    .resize = opencl_resize,
 	    .run = opencl_run,
 	    .solve = opencl_solve,
+	    .finds_layout = opencl_finds_layout,
 	    .write = opencl_write,
 	    .read = opencl_read,
 	    .clear = opencl_clear,

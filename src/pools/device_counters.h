@@ -56,7 +56,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	// Values of this step.
 	int updated_boxes; // number of collidables whose enlarged box changed
 	int changed;       // 1 if a constraint began or ended, so the constraints need a new layout
-	int kept;          // INT_MAX while the layout of the last step is valid; 0 after a new layout or if `stalled` is 1
+	int kept; // INT_MAX while a solve may begin before the host has read the layout; 0 if it cannot, or if `stalled` is 1
 	int stale_nodes[MAX_LEVELS]; // for each level of tree 0: number of nodes in the list stale_nodes
 	int refit;      // INT_MAX if some box changed, so that all boxes of nodes of tree 0 are recomputed; else 0
 	int jumped;     // INT_MAX if some box jumped, so that all nodes of level 1 are checked for outliers; else 0

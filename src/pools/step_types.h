@@ -74,6 +74,7 @@ typedef struct // bays of the worlds of a batch (bays.h); zeros outside of a bat
 	short sensors;                    // number of sensors for which each bay has words in the pool bay_visit
 	float body_part, collidable_part; // 1 divided by the number of items of a bay
 	int copies, copied_joints; // number of worlds in the last list of bay_copy; the same if worlds have joints, else 0
+	int solve_places; // number of places for which the solve has room that begins before the host has read a new layout; 0: none begins
 } Bays;
 
 typedef struct // 40 bytes: numbers of items of a world of a batch

@@ -191,7 +191,7 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 		return SCREE_OK;
 	pipeline->split = false;
 	pipeline->edited = true;
-	pipeline->counters.changed = 1; // the next step must not begin its solve before it has read the counters
+	pipeline->counters.changed = 1; // the next step may need another layout
 	return SCREE_OK;
 }
 

@@ -101,7 +101,7 @@ static scree_status solve_or_read_back(Pipeline* pipeline, Step* step, const Ste
 {
 	const Counters* c = &pipeline->counters;
 	if (early && step->presses)
-		list_presses(pipeline, request->bodies, true);
+		list_presses(pipeline, step, request->bodies, true);
 	TRY(early ? solve_early(pipeline, step, request) : read_back(pipeline, step));
 	*solved = early && c->kept;
 	scree_status status = c->stalled ? grow(pipeline, step) : SCREE_OK;
@@ -156,7 +156,9 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 	bool greedy = !b->distant && b->threads <= GREEDY_THREADS;
 	int bodies = request->bodies, rounds = greedy ? 0 : pipeline->rounds + SPARE_ROUNDS;
 	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // true: no solve, or other runs before it
-	bool early = b->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
+	bool known = !c->changed && (c->hubs == 0 || pipeline->split), solved;
+	bool finds = b->distant && !alone && solve_finds_layout(pipeline, step, request);
+	bool early = b->distant && !alone && (known || finds);
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
 	TRY(apply_targets(pipeline, step, request, CHANNEL_AIMS));
 	pipeline->skips = step->sleep;
@@ -167,6 +169,8 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 		list_narrow_phase(pipeline, step, bodies);
 		list_sleep(pipeline, step, request);
 		list_color(pipeline, bodies, 0, rounds, greedy);
+		if (step->sleep || finds)
+			runs_add_single(&pipeline->list, KERNEL_solve_bound);
 		list_bays(pipeline);
 		TRY(solve_or_read_back(pipeline, step, request, early, &solved));
 		if (!c->stalled)

@@ -133,6 +133,7 @@ typedef struct
 	int bay_limit;                // maximum number of contacts of a world of a batch
 	bool bay_joints;              // some world of a batch has joints
 	bool crowded;        // the last step was abandoned, because some worlds of a batch get more contacts than the limit
+	int solve_places;    // as in Bays: that of the next step, if its solve may begin before the host reads its layout
 	int placed;          // upper bound of Counters.placed, at most the number of slots of the bays for worlds
 	bool lengths_vary;   // worlds of a batch differ in BayState.substep
 	double milliseconds; // wall-clock time of the last step, ms

@@ -27,22 +27,10 @@ static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodie
 	return pipeline_run(pipeline, step);
 }
 
-scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
+// Returns the solve of a step. bound: as in solve_start.
+static Solve solve_of(const Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
 {
-	Backend* b = pipeline->backend;
-	const Counters* c = &pipeline->counters;
-	TRY(split_spokes(pipeline, step, request->bodies));
-	// an early solve has a bound; the runs listed before it already contain the presses
-	if (step->presses && bound == NO_COUNT)
-	{
-		list_presses(pipeline, request->bodies, false);
-		TRY(pipeline_run(pipeline, step));
-	}
-	if (request->fields > 0)
-	{
-		list_fields(pipeline, step, request, bound);
-		TRY(pipeline_run(pipeline, step));
-	}
+	const Backend* b = pipeline->backend;
 	Solve solve = {.bodies = request->bodies,
 	               .collidables = request->collidables,
 	               .substeps = request->substeps,
@@ -55,7 +43,8 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	               .taut = pipeline->taut != 0,
 	               .batch = OF_BATCH(step),
 	               .wide = OF_BATCH(step) && !step->sleep && !b->distant && b->lanes > 1,
-	               .counters = c,
+	               .counters = &pipeline->counters,
+	               .places = bound == NO_COUNT ? 0 : step->bays.solve_places,
 	               .bound = bound,
 	               .visited = bound};
 	if (step->sleep)
@@ -66,6 +55,44 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 #define CONSTRAINT_KIND(kind, Kind, KIND) solve.rare[CONSTRAINT_##KIND] = KIND##_RARE(step);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
+	return solve;
+}
+
+#define SPARE_PLACES 256 // number of places that few constraints may need more than in the last step
+
+bool solve_finds_layout(Pipeline* pipeline, Step* step, const StepRequest* request)
+{
+	Backend* b = pipeline->backend;
+	int places = 0;
+	if (!OF_BATCH(step) || !b->f->finds_layout || pipeline->counters.hubs > 0)
+		return false;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		places += pipeline->counters.layout[kind].begin[COLORS + 1];
+	if (places + SPARE_PLACES / 4 > pipeline->solve_places)
+		pipeline->solve_places = places + places / 16 + SPARE_PLACES;
+	step->bays.solve_places = pipeline->solve_places;
+	Solve solve = solve_of(pipeline, step, request, COUNT(kept));
+	bool finds = b->f->finds_layout(b, step, &solve);
+	step->bays.solve_places = finds ? pipeline->solve_places : 0;
+	return finds;
+}
+
+scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
+{
+	Backend* b = pipeline->backend;
+	TRY(split_spokes(pipeline, step, request->bodies));
+	// an early solve has a bound; the runs listed before it already contain the presses
+	if (step->presses && bound == NO_COUNT)
+	{
+		list_presses(pipeline, step, request->bodies, false);
+		TRY(pipeline_run(pipeline, step));
+	}
+	if (request->fields > 0)
+	{
+		list_fields(pipeline, step, request, bound);
+		TRY(pipeline_run(pipeline, step));
+	}
+	Solve solve = solve_of(pipeline, step, request, bound);
 	pipeline->started = true;
 	return b->f->solve(b, step, &solve, &pipeline->list);
 }

@@ -448,8 +448,6 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to, bool rest)
 	// each layout may move the rows of joints
 	if (pipeline->paths || pipeline->couplings)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
-	if (pipeline->skips)
-		runs_add_single(list, KERNEL_solve_bound);
 }
 
 void list_bays(Pipeline* pipeline)
@@ -466,11 +464,13 @@ void list_bays(Pipeline* pipeline)
 // 2.01 cm into a wall.
 #define PRESS_ROUNDS 2
 
-void list_presses(Pipeline* pipeline, int bodies, bool may_wait)
+void list_presses(Pipeline* pipeline, const Step* step, int bodies, bool may_wait)
 {
 	RunList* list = &pipeline->list;
 	const Counters* c = &pipeline->counters;
 	int places = c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1], waits = may_wait ? PRESS_MAY_WAIT : 0;
+	if (may_wait && step->bays.solve_places > 0)
+		places = step->bays.solve_places;
 	runs_add(list, KERNEL_press_begin, 0, bodies, COUNT(presses), waits);
 	if (c->joints > 0)
 		runs_add(list, KERNEL_press_joint, 0, c->joints, COUNT(presses), waits);

@@ -36,7 +36,7 @@ void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int coun
 void list_bays(Pipeline* pipeline);
 
 // Lists the runs that find bodies pressed against bodies that cannot move. may_wait: true if the layout may be old.
-void list_presses(Pipeline* pipeline, int bodies, bool may_wait);
+void list_presses(Pipeline* pipeline, const Step* step, int bodies, bool may_wait);
 // Lists the runs that compute the forces of fields at the start of the step. bound: as for solve_start.
 void list_fields(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound);
 

@@ -35,16 +35,17 @@ scree_status bay_solve_bind(OpenCl* d, Per per)
 	return SCREE_OK;
 }
 
-bool bay_solve_fits(const OpenCl* d, const Solve* solve)
+bool bay_solve_fits(const OpenCl* d, const Step* step, const Solve* solve)
 {
-	const Bays* bays = &d->constants.step.bays;
+	const Bays* bays = &step->bays;
 	return bays->worlds > 0 && bays->bodies <= BAY_BODIES && solve->counters->hubs == 0 && d->solves_bays;
 }
 
+static cl_int places_of(const Solve* solve) { return solve->places > 0 ? solve->places : solve_constraints(solve); }
+
 scree_status bay_solve_reserve(OpenCl* d, const Solve* solve)
 {
-	return scratch_reserve(d, &d->relay.stream,
-	                       (size_t)solve_constraints(solve) * STREAM_FLOAT4S * sizeof(cl_float4) + 1);
+	return scratch_reserve(d, &d->relay.stream, (size_t)places_of(solve) * STREAM_FLOAT4S * sizeof(cl_float4) + 1);
 }
 
 // Returns the number of worlds of a work-group. live: number of worlds that are stepped.
@@ -61,7 +62,7 @@ scree_status bay_solve_run(OpenCl* d, const Solve* solve)
 	const Step* step = &d->constants.step;
 	int which = step->bays.varied ? BAY_VARIED : !step->joints ? BAY_COLORS : solve_hinges(d) ? BAY_HINGES : BAY_JOINTS;
 	Kernel* kernel = &d->bay_kernels[which];
-	cl_int stride = solve_constraints(solve), passes = schedule_passes(solve->substeps, solve->bounces);
+	cl_int stride = places_of(solve), passes = schedule_passes(solve->substeps, solve->bounces);
 	cl_int live = solve->bodies / step->bays.bodies, bays = group_worlds(d, live);
 	const cl_int* values[] = {&stride, &bays, &solve->substeps, &passes, &solve->bound};
 	TRY(kernel_step(d, kernel));

@@ -32,14 +32,14 @@ static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 	                            : tiles_reserve(d, solve);
 }
 
-static SolveForm solve_form(OpenCl* d, const Solve* solve)
+static SolveForm solve_form(OpenCl* d, const Step* step, const Solve* solve)
 {
 	// joints without a color are solved by separate runs, which relay and tiles do not have
 	bool uncolored = solve->chains > 0 || solve->branches > 0 || solve->counters->overflow > 0;
 	if (d->relay.groups == 0 || d->form == FORM_LAUNCHES || uncolored)
 		return FORM_LAUNCHES;
-	if (d->constants.step.bays.worlds > 0) // relay and tiles do not read the values of each world of a batch
-		return bay_solve_fits(d, solve) ? FORM_BAYS : FORM_LAUNCHES;
+	if (step->bays.worlds > 0) // relay and tiles do not read the values of each world of a batch
+		return bay_solve_fits(d, step, solve) ? FORM_BAYS : FORM_LAUNCHES;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;
@@ -65,7 +65,7 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	d->timing.stage = STAGE_finalize;
 	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
 	TRY(kernel_run_within(d, &continuous, 1, CONTINUOUS_GROUPS));
-	int joints = solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1];
+	int joints = solve->places > 0 ? solve->places : solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1];
 	Run joint = {.kernel_id = KERNEL_joint_finalize, .end = joints, .count = solve->bound};
 	return solve->rare[CONSTRAINT_JOINT] && joints > 0 ? kernel_run(d, &joint) : SCREE_OK;
 }
@@ -89,11 +89,18 @@ bool opencl_form(Backend* b, SolveForm form)
 	return true;
 }
 
+bool opencl_finds_layout(Backend* b, const Step* step, const Solve* solve)
+{
+	// the solve must not lack memory later, because other forms need the layout on the host
+	OpenCl* d = b->state;
+	return solve_form(d, step, solve) == FORM_BAYS && !solve->taut && bay_solve_reserve(d, solve) == SCREE_OK;
+}
+
 scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
 {
 	OpenCl* d = b->state;
 	step_set(d, step);
-	SolveForm form = solve_form(d, solve);
+	SolveForm form = solve_form(d, step, solve);
 	scree_status reserved = form == FORM_LAUNCHES ? SCREE_OK : form_reserve(d, solve, form);
 	if (reserved != SCREE_OK)
 	{

@@ -5,6 +5,7 @@
 #include "opencl/opencl_state.h"
 
 bool opencl_form(Backend* b, SolveForm form);
+bool opencl_finds_layout(Backend* b, const Step* step, const Solve* solve);
 scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list);
 
 #endif

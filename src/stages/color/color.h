@@ -259,7 +259,8 @@ KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
 	int left = c->uncolored[RUN_LOW(p->argument)];
-	c->kept = 0;
+	if (!BATCHED(p) || p->step.bays.solve_places == 0)
+		c->kept = 0;
 	c->overflow_first = 0x7fffffff;
 	c->entered = c->entered || (BATCHED(p) && c->copied_spokes) || layout_has_spokes(c);
 	c->arranged = left == 0 && (!c->entered || RUN_HIGH(p->argument) > COLOR_BITS);

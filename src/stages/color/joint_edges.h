@@ -180,6 +180,9 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 // it can break. Counts the turns of a coupling with the ratio of this step, because the user may change the ratio.
 KERNEL(joint_finalize)
 {
+	// the host may not have read the layout yet
+	if (BATCHED(p) && i >= p->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1])
+		return;
 	int slot = p->joint_place_slot[i];
 	if (slot < 0)
 		return;

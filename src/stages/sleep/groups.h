@@ -130,10 +130,20 @@ KERNEL(group_order)
 }
 
 // Sets the number of bodies that a solve visits if the host launches it before it has read the counters. The number is
-// 0 if the layout changed; the host then launches another solve.
+// 0 if the layout changed; the host then launches another solve. A solve that finds its constraints in the counters can
+// use a new layout, if it has room for it and can solve all of its constraints.
 KERNEL(solve_bound)
 {
-	p->counters->kept_bodies = p->counters->kept ? p->counters->active_items[GROUPS_OF_BODIES] : 0;
+	GLOBAL Counters* c = p->counters;
+	if (BATCHED(p) && p->step.bays.solve_places > 0)
+	{
+		int places = 0;
+		for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+			places += c->layout[kind].begin[COLORS + 1];
+		if ((c->changed && !c->arranged) || c->hubs > 0 || c->overflow > 0 || places > p->step.bays.solve_places)
+			c->kept = 0;
+	}
+	c->kept_bodies = c->kept ? c->active_items[GROUPS_OF_BODIES] : 0;
 	(void)i;
 }
 

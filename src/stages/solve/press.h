@@ -61,9 +61,12 @@ INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) &
 // Returns whether nothing may press bodies in a world of a batch. state: of the world; not read outside of a batch.
 INLINE int press_rests(const Pools* p, const GLOBAL BayState* state) { return BATCHED(p) && !state->presses; }
 
-// Returns the slot of the contact at place i; -1 if there is none, or if the kernel must do nothing (press_waits).
+// Returns the slot of the contact at place i; -1 if there is none, or if the kernel must do nothing (press_waits). The host may not
+// have read the layout of a batch yet.
 INLINE int press_slot(const Pools* p, int i)
 {
+	if (BATCHED(p) && i >= p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS + 1])
+		return -1;
 	int slot = press_waits(p) ? -1 : p->contact_place_slot[i];
 	return slot >= 0 && press_rests(p, bay_of_contact(p, slot)) ? -1 : slot;
 }
