@@ -87,8 +87,8 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 	for (int k = first; k < end && seconds_now() < until; ++k)
 	{
 		uint64_t seed = o->seed + (uint64_t)k;
-		desk->since = seconds_now();
-		desk->seed = seed;
+		desk->progress.since = seconds_now();
+		desk->progress.seed = seed;
 		program_make(&program, seed, o->calls);
 		pair->every = o->every;
 		pair->first_read = (uint32_t)(seed % READ_CHOICES);
@@ -103,8 +103,8 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 		desk->hash += outcome.hash;
 		if (outcome.differs)
 		{
-			desk->failed += 1;
-			desk->since = seconds_now() + 4.0 * o->shrink;
+			desk->progress.failed += 1;
+			desk->progress.since = seconds_now() + 4.0 * o->shrink;
 			if ((*reports)++ < o->reports)
 				report(o, pair, &program, &before, seed);
 			pair_forget(pair);
@@ -122,8 +122,10 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 	program_close(&before);
 }
 
-void farm_work(const Options* o, int job, Desk* desk)
+static void work(const void* options, int job, int jobs, void* sums)
 {
+	const Options* o = options;
+	Desk* desk = sums;
 	Pair pair;
 	pair_open(&pair, o->places);
 	pair.infinite = o->infinite;
@@ -131,21 +133,53 @@ void farm_work(const Options* o, int job, Desk* desk)
 	pair.records = o->records;
 	pair.record_path = o->record;
 	double until = o->seconds > 0.0 ? seconds_now() + o->seconds : INFINITY;
-	int reports = 0, stride = o->jobs * o->life;
+	int reports = 0, stride = jobs * o->life;
 	for (int first = job * o->life; first < o->programs && seconds_now() < until; first += stride)
 	{
 		int end = first + o->life < o->programs ? first + o->life : o->programs;
 		live(o, &pair, first, end, until, desk, &reports);
 	}
 	pair_close(&pair);
-	desk->finished = true;
+	desk->progress.finished = true;
 }
 
-int farm_print_counts(const Options* o, const Desk* all, double seconds)
+static void report_end(const void* options, uint64_t seed, bool late, int status)
 {
+	const Options* o = options;
+	char form[40];
+	printf("program %" PRIu64 ": %s (status %d); again: programs --seed %" PRIu64
+	       " --programs 1 --calls %d --device %s --form %s\n",
+	       seed, late ? "it hangs" : "the process crashed", status, seed, o->calls, o->places[1].device,
+	       farm_form(o, form));
+}
+
+static void add(void* sum, const void* sums)
+{
+	Desk* all = sum;
+	const Desk* desk = sums;
+	all->done += desk->done;
+	all->progress.failed += desk->progress.failed;
+	all->steps += desk->steps;
+	all->frozen += desk->frozen;
+	all->batches += desk->batches;
+	all->sleeping += desk->sleeping;
+	all->woken += desk->woken;
+	all->hash += desk->hash;
+}
+
+int farm_run(const Options* o)
+{
+	const Jobs jobs = {o, o->jobs, o->limit, sizeof(Desk), work, report_end, add};
+	Desk all = {0};
+	double begin = seconds_now();
+	if (!jobs_run(&jobs, &all))
+	{
+		fprintf(stderr, "programs: no memory for %d processes\n", o->jobs);
+		return 2;
+	}
 	printf("%s: %d programs, %d steps, %d batches, %d bodies frozen, %d with sleep, %d with waking, %d failures, hash "
 	       "%016" PRIx64 ", %.1f s\n",
-	       o->places[1].device, all->done, all->steps, all->batches, all->frozen, all->sleeping, all->woken,
-	       all->failed, all->hash, seconds);
-	return all->failed > 0;
+	       o->places[1].device, all.done, all.steps, all.batches, all.frozen, all.sleeping, all.woken,
+	       all.progress.failed, all.hash, seconds_now() - begin);
+	return all.progress.failed > 0;
 }

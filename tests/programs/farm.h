@@ -2,6 +2,7 @@
 // farm.h -- runs many programs, in several processes where the system has fork, and reports those that fail.
 #ifndef FARM_H
 #define FARM_H
+#include "programs/jobs.h"
 #include "programs/program.h"
 
 typedef struct
@@ -14,26 +15,16 @@ typedef struct
 	Place places[2];
 } Options;
 
-#define MOST_JOBS 64
-
-typedef struct // progress of a process, shared with its parent
+typedef struct // sums of a process
 {
-	uint64_t seed;
-	double since; // s, by seconds_now: start of the current program
-	int done, failed, steps, frozen, batches;
+	Progress progress;
+	int done, steps, frozen, batches;
 	int sleeping, woken; // programs in which bodies fell asleep; programs in which bodies also woke
 	uint64_t hash;       // sum of those of the programs
-	bool finished;
 } Desk;
 
 // Runs the programs. Prints failures and a line with counts. Returns 1 if a program failed, otherwise 0.
-int farm_run(const Options* options); // defined in processes.c or one_process.c
-
-// Runs the programs of one of Options.jobs processes in the calling process. job: its number.
-void farm_work(const Options* options, int job, Desk* desk);
-
-// Prints the line with counts and returns the result of farm_run. all: sums over the processes.
-int farm_print_counts(const Options* options, const Desk* all, double seconds);
+int farm_run(const Options* options);
 
 // Writes the name of the form and the arithmetic of the second world.
 const char* farm_form(const Options* options, char text[40]);

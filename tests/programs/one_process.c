@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// one_process.c -- runs programs in the calling process, on systems without fork; processes.c runs several processes.
+// one_process.c -- runs seeds in the calling process, on systems without fork; processes.c runs several processes.
 //
-// A program that crashes ends the run, and one that hangs is not stopped.
-#include "programs/farm.h"
-#include "tools/common/clock.h"
+// A seed that crashes ends the run, and one that hangs is not stopped.
+#include "programs/jobs.h"
+#include <stdlib.h>
 
-int farm_run(const Options* o)
+bool jobs_run(const Jobs* jobs, void* all)
 {
-	Options alone = *o;
-	alone.jobs = 1;
-	Desk desk = {0};
-	double begin = seconds_now();
-	farm_work(&alone, 0, &desk);
-	return farm_print_counts(o, &desk, seconds_now() - begin);
+	void* sums = calloc(1, jobs->size);
+	if (!sums)
+		return false;
+	jobs->work(jobs->options, 0, 1, sums);
+	jobs->add(all, sums);
+	free(sums);
+	return true;
 }

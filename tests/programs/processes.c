@@ -1,76 +1,64 @@
 // SPDX-License-Identifier: MIT
-// processes.c -- runs programs in several processes; one_process.c replaces it on systems without fork.
+// processes.c -- runs seeds in several processes; one_process.c replaces it on systems without fork.
 //
-// A process writes the seed of its program to memory that its parent can read. So the parent can report a program that
-// crashed or hangs.
-#include "programs/farm.h"
+// A process writes its current seed to memory that its parent can read. So the parent can report a seed that crashed or
+// hangs.
+#include "programs/jobs.h"
 #include "tools/common/clock.h"
-#include <inttypes.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 // Returns whether a process has ended. Kills a process that hangs, and prints the failure.
-static bool ended(const Options* o, Desk* desk, pid_t child)
+static bool ended(const Jobs* jobs, Progress* progress, pid_t child)
 {
 	int status = 0;
-	bool late = !desk->finished && seconds_now() - desk->since > o->limit;
+	bool late = !progress->finished && seconds_now() - progress->since > jobs->limit;
 	if (late)
 		kill(child, SIGKILL);
 	if (waitpid(child, &status, late ? 0 : WNOHANG) != child)
 		return false;
 	if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
 		return true;
-	desk->failed += 1;
-	char form[40];
-	printf("program %" PRIu64 ": %s (status %d); again: programs --seed %" PRIu64
-	       " --programs 1 --calls %d --device %s --form %s\n",
-	       desk->seed, late ? "it hangs" : "the process crashed", status, desk->seed, o->calls, o->places[1].device,
-	       farm_form(o, form));
+	progress->failed += 1;
+	jobs->report(jobs->options, progress->seed, late, status);
 	return true;
 }
 
-int farm_run(const Options* o)
+bool jobs_run(const Jobs* jobs, void* all)
 {
-	Desk* desks = mmap(NULL, MOST_JOBS * sizeof *desks, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+	size_t bytes = MOST_JOBS * jobs->size;
+	char* sums = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
 	pid_t children[MOST_JOBS] = {0};
-	if (desks == MAP_FAILED)
-	{
-		fprintf(stderr, "programs: no memory for %d processes\n", o->jobs);
-		return 2;
-	}
-	double begin = seconds_now();
+	if (sums == MAP_FAILED)
+		return false;
 	// a report is printed by one call of the system, so that those of two processes do not mix
 	static char buffer[1 << 20];
 	setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
-	for (int k = 0; k < o->jobs; ++k)
+	for (int k = 0; k < jobs->jobs; ++k)
 	{
-		desks[k].since = begin;
+		char* own = sums + (size_t)k * jobs->size;
+		((Progress*)own)->since = seconds_now();
 		children[k] = fork();
 		if (children[k] == 0)
 		{
-			farm_work(o, k, &desks[k]);
+			jobs->work(jobs->options, k, jobs->jobs, own);
 			exit(0);
 		}
 	}
-	Desk all = {0};
-	for (int left = o->jobs; left > 0; usleep(20000))
-		for (int k = 0; k < o->jobs; ++k)
+	for (int left = jobs->jobs; left > 0; usleep(20000))
+		for (int k = 0; k < jobs->jobs; ++k)
 		{
-			if (children[k] == 0 || !ended(o, &desks[k], children[k]))
+			char* own = sums + (size_t)k * jobs->size;
+			if (children[k] == 0 || !ended(jobs, (Progress*)own, children[k]))
 				continue;
 			children[k] = 0;
 			--left;
-			all.done += desks[k].done;
-			all.failed += desks[k].failed;
-			all.steps += desks[k].steps;
-			all.frozen += desks[k].frozen;
-			all.batches += desks[k].batches;
-			all.sleeping += desks[k].sleeping;
-			all.woken += desks[k].woken;
-			all.hash += desks[k].hash;
+			jobs->add(all, own);
 		}
-	return farm_print_counts(o, &all, seconds_now() - begin);
+	munmap(sums, bytes);
+	return true;
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// call_steps.c -- calls that step a batch and observe it, with their mirrors.
+#include "mirror/mirrored.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct
+{
+	float dt; // s
+	int substeps, steps;
+} Length;
+
+static Length any_length(Mirror* m)
+{
+	static const float lengths[] = {0.0f, 1e-9f, 1.0f, 1.0f / 30.0f, 1.0f / 240.0f, 1e-3f};
+	uint64_t* dice = &m->dice;
+	Length length = {1.0f / 60.0f, 4, 1};
+	if (one_in(dice, 4))
+		length.dt = lengths[random_below(dice, 6)];
+	if (one_in(dice, 4))
+		length.substeps = 1 + random_below(dice, one_in(dice, 4) ? 64 : 8);
+	if (one_in(dice, 6) && m->contact_limit == 0)
+		length.steps = random_below(dice, 7);
+	return length;
+}
+
+// Makes one number of the rows infinite or NaN: the step is refused with its place, and changes nothing.
+static bool refuse_number(Mirror* m, Length length)
+{
+	const List* l = m->lists + SCREE_STEP_INPUTS;
+	const float bad[] = {NAN, INFINITY, -INFINITY};
+	char place[64];
+	if (l->columns == 0 || !one_in(&m->dice, 6))
+		return true;
+	int k = random_below(&m->dice, m->worlds * l->columns);
+	float kept = l->rows[k];
+	l->rows[k] = bad[random_below(&m->dice, 3)];
+	note(m, "step with %g as number %d of world %d", (double)l->rows[k], k % l->columns, k / l->columns);
+	scree_status status = scree_batch_step(m->batch, length.dt, length.substeps, 1);
+	l->rows[k] = kept;
+	snprintf(place, sizeof place, "inputs of world %d[%d]", k / l->columns, k % l->columns);
+	const char* said = scree_error();
+	if (status != SCREE_ERROR_INVALID)
+		return fault(m, "it has status %d", (int)status);
+	// the sentence names a member of a pose instead of its column
+	if (!strstr(said, place) && !strstr(said, ".rotation") && !strstr(said, ".position"))
+		return fault(m, "the error does not name %s: %s", place, said);
+	return compare_worlds(m);
+}
+
+// Notes the worlds that have become crowded; they are left as they were.
+static bool read_crowds(Mirror* m)
+{
+	scree_batch_counters counters[MOST_WORLDS];
+	NEED(m, scree_batch_get_counters(m->batch, counters));
+	for (int k = 0; k < m->worlds; ++k)
+		m->paused[k] |= m->contact_limit > 0 && counters[k].crowded > 0;
+	return true;
+}
+
+static bool step_alone(Mirror* m, Length length)
+{
+	for (int n = 0; n < length.steps; ++n)
+		for (int k = 0; k < m->worlds; ++k)
+		{
+			if (m->paused[k])
+				continue;
+			m->counts->steps += 1;
+			if (!apply_rows(m, SCREE_STEP_INPUTS, k, length.dt, n > 0))
+				return false;
+			NEED(m, scree_world_step(m->alone[k], length.dt, length.substeps));
+		}
+	return true;
+}
+
+bool call_step(Mirror* m)
+{
+	Length length = any_length(m);
+	fill_rows(m, SCREE_STEP_INPUTS);
+	if (!refuse_number(m, length))
+		return false;
+	note(m, "%d steps of %g s with %d substeps", length.steps, (double)length.dt, length.substeps);
+	scree_status status = scree_batch_step(m->batch, length.dt, length.substeps, length.steps);
+	if (refused_as_heavy(status))
+		return compare_worlds(m);
+	if (!needed(m, status, "scree_batch_step"))
+		return false;
+	if (!read_crowds(m) || !step_alone(m, length) || !compare_worlds(m))
+		return false;
+	return length.steps == 0 || (compare_counters(m) && check_outputs(m));
+}
+
+bool call_observe(Mirror* m)
+{
+	if (m->lists[SCREE_OUTPUTS].columns == 0)
+		return true;
+	note(m, "observe");
+	NEED(m, scree_batch_observe(m->batch));
+	return compare_worlds(m) && check_outputs(m);
+}
