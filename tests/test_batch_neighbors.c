@@ -486,6 +486,37 @@ static void states_above_the_limit(void** state)
 	scree_world_destroy(world);
 }
 
+// The contacts of the template end after its last step, but not those of a world with as many steps.
+static void contacts_of_the_state(void** state)
+{
+	(void)state;
+	static char row[65536];
+	const int32_t first = 0;
+	scree_world *world = open_space(), *taken;
+	scree_body floor = box(world, SCREE_BODY_STATIC, 0.0f, 5.0f, 0.5f),
+	           crate = box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.8f);
+	for (int k = 0; k < 5; ++k)
+		OK(scree_world_step(world, STEP, 4));
+	scree_batch* before = open_batch(&world, 1, 0);
+	OK(scree_batch_save(before, &first, 1, row, sizeof row));
+	OK(scree_body_set_enabled(world, floor, false));
+	OK(scree_body_set_enabled(world, floor, true));
+	scree_batch* after = open_batch(&world, 1, 0);
+	for (int loaded = 0; loaded < 2; ++loaded)
+	{
+		int contacts;
+		if (loaded)
+			OK(scree_batch_load(after, &first, 1, row, 0));
+		OK(scree_batch_extract(after, 0, NULL, &taken));
+		OK(scree_body_get_contacts(taken, crate, NULL, 0, &contacts));
+		assert_int_equal(contacts, loaded);
+		scree_world_destroy(taken);
+	}
+	scree_batch_destroy(before);
+	scree_batch_destroy(after);
+	scree_world_destroy(world);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -494,6 +525,7 @@ int main(void)
 	    cmocka_unit_test(refused_steps_leave_sleepers),   cmocka_unit_test(worlds_are_copied_at_once),
 	    cmocka_unit_test(chains_leave_with_their_world),  cmocka_unit_test(chains_end_in_a_reset),
 	    cmocka_unit_test(outputs_are_the_poses_of_calls), cmocka_unit_test(states_above_the_limit),
+	    cmocka_unit_test(contacts_of_the_state),
 	};
 	int failures = 0;
 	find_second_device(NULL);

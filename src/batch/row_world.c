@@ -5,6 +5,7 @@
 // in a step, so that no later bit differs.
 #include "batch/row_world.h"
 #include "batch/own_host.h"
+#include "stages/geometry/box.h"
 #include "step/event_readback.h"
 #include "step/relayout.h"
 #include "step/reserve.h"
@@ -157,18 +158,20 @@ static void take_kinematics(scree_world* world, const Float4* poses, const BodyS
 
 static void age(int64_t* step, int64_t steps) { *step = *step < steps ? *step : steps - 1; }
 
-// Takes the number of steps of a row. If it is not that of the template, no object is newer than the last step.
-static void take_steps(scree_world* world, int64_t steps)
+// Takes the number of steps of a row. A collidable gets its box in the first step after its contacts restarted, so one with a box is not
+// newer than the last step. If the number is not that of the template, no object is.
+static void take_steps(scree_world* world, int64_t steps, const Float4* boxes)
 {
-	if (steps == world->pipeline.steps)
-		return;
+	bool other = steps != world->pipeline.steps;
 	world->pipeline.steps = steps;
 	for (int k = 0; k < world->collidables.used; ++k)
 	{
+		if (!other && box_is_empty(boxes[k]))
+			continue;
 		age(&world->host_collidables[k].made, steps);
 		age(&world->host_collidables[k].born, steps);
 	}
-	for (int k = 0; k < world->joints.used; ++k)
+	for (int k = 0; k < world->joints.used && other; ++k)
 		age(&world->host_joints[k].born, steps);
 }
 
@@ -179,7 +182,7 @@ static void take_host(scree_world* world, const RowHead* head, const char* row)
 	take_joints(world, (const JointData*)(const void*)(row + at[POOL_joint_data]));
 	take_kinematics(world, (const Float4*)(const void*)(row + at[POOL_pose]),
 	                (const BodyState*)(const void*)(row + at[POOL_body]));
-	take_steps(world, (int64_t)head->state.steps);
+	take_steps(world, (int64_t)head->state.steps, (const Float4*)(const void*)(row + at[POOL_box]));
 	reports_forget(world);
 	structure_changed(world);
 }

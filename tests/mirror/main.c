@@ -97,7 +97,7 @@ static void work(const void* options, int job, int jobs, void* sums)
 	const Options* o = options;
 	Sums* s = sums;
 	double begin = seconds_now();
-	scree_batch* kept = strcmp(o->setting.device, "cpu") == 0 ? NULL : batch_keep(o->setting.device);
+	scree_batch* kept = strcmp(o->setting.device, "cpu") == 0 ? NULL : device_keep(o->setting.device);
 	for (int k = job; k < o->seeds && (o->seconds <= 0.0 || seconds_now() - begin < o->seconds); k += jobs)
 	{
 		s->progress.since = seconds_now();

@@ -182,7 +182,7 @@ void batch_close(Mirror* m)
 	free(m->bank.state);
 }
 
-scree_batch* batch_keep(const char* device)
+scree_batch* device_keep(const char* device)
 {
 	scree_batch_def def = scree_batch_def_default();
 	scree_world_def world_def = scree_world_def_default();
