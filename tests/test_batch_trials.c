@@ -412,19 +412,21 @@ static void surfaces_change_twice(void** state)
 	scree_world_destroy(world);
 }
 
-// A body is disabled, or its shape made a sensor, after the step: its contact has ended.
+// A body is disabled, perhaps enabled again, or its shape made a sensor, after the step: its contact has ended.
 static void touches_end_at_once(void** state)
 {
 	(void)state;
-	for (int act = 0; act < 3; ++act)
+	for (int act = 0; act < 4; ++act)
 	{
 		scree_world* world = open_cpu(false);
 		scree_body floor = box(world, SCREE_BODY_STATIC, 0.0f, -1.0f, 1.0f);
 		scree_body crate = box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f);
 		for (int k = 0; k < 10; ++k)
 			OK(scree_world_step(world, STEP, 4));
-		if (act == 0)
+		if (act == 0 || act == 3)
 			OK(scree_body_set_enabled(world, floor, false));
+		if (act == 3)
+			OK(scree_body_set_enabled(world, floor, true));
 		if (act == 1)
 			OK(scree_collidable_set_sensor(world, collidable_of(world, floor), SCREE_SENSOR_MOVING));
 		scree_batch* batch = open_batch(&world, 1, 1);
@@ -436,6 +438,8 @@ static void touches_end_at_once(void** state)
 		OK(scree_batch_reset(batch, NULL));
 		OK(scree_batch_observe(batch));
 		assert_true(row[0] == 0.0f && row[2] == 0.0f);
+		OK(scree_batch_step(batch, STEP, 4, 1));
+		assert_true(row[0] == (act == 3 ? 1.0f : 0.0f) && row[1] == row[0]);
 		scree_batch_destroy(batch);
 		scree_world_destroy(world);
 	}

@@ -16,7 +16,7 @@
 
 #define FLAGS_OF_COLLIDABLES                                                                              \
 	(COLLIDABLE_NEW_BOX | COLLIDABLE_FAST | COLLIDABLE_MOVING | COLLIDABLE_CHANGED | COLLIDABLE_SHIFTED | \
-	 COLLIDABLE_GRAINS)
+	 COLLIDABLE_RESTARTED | COLLIDABLE_GRAINS)
 #define LARGEST_FLOAT 0x7f7fffff // bits of FLT_MAX
 
 // Checks a value of the head.

@@ -5,7 +5,6 @@
 // in a step, so that no later bit differs.
 #include "batch/row_world.h"
 #include "batch/own_host.h"
-#include "stages/geometry/box.h"
 #include "step/event_readback.h"
 #include "step/relayout.h"
 #include "step/reserve.h"
@@ -158,18 +157,21 @@ static void take_kinematics(scree_world* world, const Float4* poses, const BodyS
 
 static void age(int64_t* step, int64_t steps) { *step = *step < steps ? *step : steps - 1; }
 
-// Takes the number of steps of a row. A collidable gets its box in the first step after its contacts restarted, so one with a box is not
-// newer than the last step. If the number is not that of the template, no object is.
-static void take_steps(scree_world* world, int64_t steps, const Float4* boxes)
+// Takes the number of steps of a row. flags: pool of the row. If the number is not that of the template, no object was created since the
+// last step.
+static void take_steps(scree_world* world, int64_t steps, const int* flags)
 {
 	bool other = steps != world->pipeline.steps;
 	world->pipeline.steps = steps;
 	for (int k = 0; k < world->collidables.used; ++k)
 	{
-		if (!other && box_is_empty(boxes[k]))
-			continue;
-		age(&world->host_collidables[k].made, steps);
-		age(&world->host_collidables[k].born, steps);
+		HostCollidable* host = world->host_collidables + k;
+		bool restarted = flags[k] & COLLIDABLE_RESTARTED;
+		if (other || !restarted)
+			age(&host->made, steps);
+		age(&host->born, steps);
+		if (restarted)
+			host->born = steps;
 	}
 	for (int k = 0; k < world->joints.used && other; ++k)
 		age(&world->host_joints[k].born, steps);
@@ -182,7 +184,7 @@ static void take_host(scree_world* world, const RowHead* head, const char* row)
 	take_joints(world, (const JointData*)(const void*)(row + at[POOL_joint_data]));
 	take_kinematics(world, (const Float4*)(const void*)(row + at[POOL_pose]),
 	                (const BodyState*)(const void*)(row + at[POOL_body]));
-	take_steps(world, (int64_t)head->state.steps, (const Float4*)(const void*)(row + at[POOL_box]));
+	take_steps(world, (int64_t)head->state.steps, (const int*)(const void*)(row + at[POOL_collidable_flags]));
 	reports_forget(world);
 	structure_changed(world);
 }

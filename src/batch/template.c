@@ -173,6 +173,14 @@ static scree_status find_restarts(Template* made, const char* function)
 	return SCREE_OK;
 }
 
+// Marks the collidables whose contacts restarted after the last step of the template, so that touches of a reset count as alone.
+static void mark_restarts(const scree_world* world, Template* made)
+{
+	for (int k = 0; k < made->count[POOL_collidable_flags]; ++k)
+		if (slots_in_use(&world->collidables, k) && world->host_collidables[k].born >= world->pipeline.steps)
+			made->image.collidable_flags[k] |= COLLIDABLE_RESTARTED;
+}
+
 scree_status template_read(scree_world* world, const char* function, int number, Template* made)
 {
 	*made = (Template){.bodies = 0};
@@ -206,6 +214,7 @@ scree_status template_read(scree_world* world, const char* function, int number,
 		memcpy(made->kinematics, world->kinematics, sizeof(int) * kinematics);
 	TRY(visits_read(world, function, &made->visits));
 	TRY(read_pools(world, function, made));
+	mark_restarts(world, made);
 	TRY(read_fields(world, function, made));
 	leave_places(made);
 	place_attributes(made);

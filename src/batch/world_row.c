@@ -11,7 +11,7 @@
 #endif
 
 // Changes whenever the meaning of a row changes. Types and lists of pools are part of row_version.
-#define ROW_VERSION 2
+#define ROW_VERSION 3
 
 int row_kind(PoolId pool)
 {

@@ -26,7 +26,9 @@ typedef Int2 CollidablePair;           // -1, -1 for none
 #define COLLIDABLE_MOVING  4         // the motion in this step exceeds a small tolerance (SWEEP_REST)
 #define COLLIDABLE_CHANGED (1 << 23) // the user changed its surface, or a refused step had found that it was moved
 #define COLLIDABLE_SHIFTED (1 << 24) // static or kinematic, and moves, or was moved by the user
-#define GRAIN_SIZE         (2.0f * SPECULATIVE_DISTANCE) // m: thinner dynamic collidables have smaller tolerances
+// Its contacts restarted since the last step, so those that touched have ended; only in a batch, or in a world that left one.
+#define COLLIDABLE_RESTARTED (1 << 25)
+#define GRAIN_SIZE           (2.0f * SPECULATIVE_DISTANCE) // m: thinner dynamic collidables have smaller tolerances
 // First of the bits for thickness. Bit k of them is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k.
 // The tolerances of a contact are halved for each bit that one of its collidables has, because they could otherwise
 // exceed the size of the smaller body.

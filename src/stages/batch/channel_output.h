@@ -134,9 +134,8 @@ KERNEL(channel_touch)
 		Word flags = p->contact_flags[slot];
 		if ((flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) != CONTACT_TOUCHING)
 			continue;
-		int a = p->collidable_kind[pair.x], b = p->collidable_kind[pair.y];
-		if ((a | b) & KIND_SENSOR || a == KIND_DEAD || b == KIND_DEAD)
-			continue; // a body was disabled after the step, or a collidable made a sensor
+		if ((p->collidable_flags[pair.x] | p->collidable_flags[pair.y]) & COLLIDABLE_RESTARTED)
+			continue; // a body was disabled or enabled after the step, or a collidable made a sensor or given another shape
 		++touches;
 		Float4 impulses = contact_impulses(p, slot);
 		sum = sum + (impulses.x + impulses.y);

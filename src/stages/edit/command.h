@@ -103,6 +103,8 @@ INLINE void command_collidable_change(const Pools* p, Command c)
 		p->filter[i].group = c.whole[0];
 		p->collidable_kind[i] = c.whole[1] & 255;
 		p->filter[i].reports = (Word)c.whole[1] >> 8;
+		if (BATCHED(p)) // only inputs that enable or disable a body make this command there
+			p->collidable_flags[i] |= COLLIDABLE_RESTARTED;
 		break;
 	case COMMAND_REPORTS:
 		p->filter[i].reports = (Word)c.whole[0];
