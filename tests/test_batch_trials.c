@@ -445,6 +445,43 @@ static void touches_end_at_once(void** state)
 	}
 }
 
+// Outputs are bound, or a state is loaded, while the world is paused: its touch has not begun when it runs again.
+static void touches_last_through_a_pause(void** state)
+{
+	(void)state;
+	static char saved[1 << 16];
+	const int32_t first = 0;
+	const uint8_t mask[1] = {1};
+	scree_world* world = open_cpu(false);
+	box(world, SCREE_BODY_STATIC, 0.0f, -1.0f, 1.0f);
+	scree_channel out = scree_channel_make(SCREE_OUTPUT_TOUCH);
+	out.body = box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f);
+	scree_batch* batch = open_batch(&world, 1, 1);
+	float row[3];
+	OK(scree_batch_step(batch, STEP, 4, 10));
+	assert_true(scree_batch_get_state_bytes(batch) <= sizeof saved);
+	OK(scree_batch_save(batch, &first, 1, saved, sizeof saved));
+	for (int act = 0; act < 2; ++act)
+	{
+		if (act == 1)
+		{
+			OK(scree_batch_reset(batch, NULL)); // the crate has no contact
+			OK(scree_batch_observe(batch));
+			assert_true(row[0] == 0.0f);
+		}
+		OK(scree_batch_pause(batch, mask));
+		if (act == 0)
+			OK(scree_batch_bind(batch, SCREE_OUTPUTS, &out, 1, row));
+		else
+			OK(scree_batch_load(batch, &first, 1, saved, 0));
+		OK(scree_batch_pause(batch, NULL));
+		OK(scree_batch_step(batch, STEP, 4, 1));
+		assert_true(row[0] == 1.0f && row[1] == 0.0f);
+	}
+	scree_batch_destroy(batch);
+	scree_world_destroy(world);
+}
+
 typedef struct
 {
 	scree_world* template;
@@ -537,12 +574,19 @@ static void refusals(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(belts_turn_while_slots_grow), cmocka_unit_test(heavy_worlds_stand_alone),
-	    cmocka_unit_test(paused_worlds_stay),          cmocka_unit_test(attributes_beyond_the_slots),
-	    cmocka_unit_test(locked_bodies_sleep_on),      cmocka_unit_test(paths_stir_both_bodies),
-	    cmocka_unit_test(joints_of_two_templates),     cmocka_unit_test(rows_stay_and_rays_pass),
-	    cmocka_unit_test(surfaces_change_twice),       cmocka_unit_test(touches_end_at_once),
-	    cmocka_unit_test(threads_share_a_template),    cmocka_unit_test(refusals),
+	    cmocka_unit_test(belts_turn_while_slots_grow),
+	    cmocka_unit_test(heavy_worlds_stand_alone),
+	    cmocka_unit_test(paused_worlds_stay),
+	    cmocka_unit_test(attributes_beyond_the_slots),
+	    cmocka_unit_test(locked_bodies_sleep_on),
+	    cmocka_unit_test(paths_stir_both_bodies),
+	    cmocka_unit_test(joints_of_two_templates),
+	    cmocka_unit_test(rows_stay_and_rays_pass),
+	    cmocka_unit_test(surfaces_change_twice),
+	    cmocka_unit_test(touches_end_at_once),
+	    cmocka_unit_test(touches_last_through_a_pause),
+	    cmocka_unit_test(threads_share_a_template),
+	    cmocka_unit_test(refusals),
 	};
 	int failures = 0;
 	find_second_device(NULL);

@@ -111,5 +111,7 @@ scree_status block_bind(Block* block, const ChannelSet* sets, int templates)
 	if (block->outputs == outputs->channels)
 		return SCREE_OK;
 	block->outputs = outputs->channels;
+	for (int row = 0; row < block->worlds; ++row)
+		block->paused[row].uncounted = !block_runs(block, row);
 	return block_write_touches(block, 0, p->live_bays);
 }

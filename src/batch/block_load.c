@@ -34,7 +34,8 @@ static void note_pending(Block* block, const RowHead* head, int row)
 	                   .dirty = block->pipeline.bay_joints || block->pipeline.excluded > 0,
 	                   .surfaces = head->state.surfaces != 0,
 	                   .presses = head->state.presses != 0,
-	                   .taut = head->state.taut_seen != 0};
+	                   .taut = head->state.taut_seen != 0,
+	                   .uncounted = true};
 	block_targets_set(block, row, head->targets);
 	if (block_runs(block, row))
 		block_pend(block, &pending);

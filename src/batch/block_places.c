@@ -4,6 +4,7 @@
 // Running worlds are in the first bays, the live ones, so the time of a step depends only on their number. A paused world
 // is in a spare bay. A bay that a paused world left gets a world that runs again, or the one from the last live bay.
 #include "batch/block_places.h"
+#include "batch/block_channels.h"
 #include "batch/block_pools.h"
 #include "batch/block_targets.h"
 #include "platform/error.h"
@@ -179,6 +180,21 @@ static scree_status vacate(Block* block, int live)
 	return copy(block, count);
 }
 
+// Counts the touches of worlds that run again, so that the next outputs do not take them for new ones.
+static scree_status count_touches(Block* block)
+{
+	int count = 0;
+	for (int row = 0; row < block->worlds; ++row)
+	{
+		if (block->paused[row].uncounted && block_runs(block, row))
+		{
+			block_add_copy(block, &count, block->bay_of[row], block->bay_of[row], row);
+			block->paused[row].uncounted = false;
+		}
+	}
+	return block_begin_touches(block, count);
+}
+
 scree_status block_arrange(Block* block)
 {
 	int live = 0, leaving = 0;
@@ -194,5 +210,6 @@ scree_status block_arrange(Block* block)
 	TRY(leave(block));
 	TRY(enter(block, live));
 	TRY(vacate(block, live));
-	return moves ? block_count(block, live) : SCREE_OK;
+	TRY(moves ? block_count(block, live) : SCREE_OK);
+	return count_touches(block);
 }

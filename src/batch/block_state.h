@@ -14,6 +14,8 @@ typedef struct // duties of the next step of a block, done once, for a world tha
 	float h;                             // s: substep of the last step of the world
 	bool dirty, surfaces, presses, taut; // for Pipeline.dirty, surfaces_changed, counters.presses, taut
 	bool lengths;                        // for Pipeline.lengths_vary: h is that of the block, whose worlds differ in it
+	bool
+	    uncounted; // touches of the outputs were not counted since these were bound, or since the world got another state
 } Pending;
 
 typedef struct

@@ -59,7 +59,7 @@ typedef struct
 	int32_t template_of[MOST_WORLDS], next_of[MOST_WORLDS];
 	uint8_t paused[MOST_WORLDS]; // crowded worlds too
 	scree_vec gravity[MOST_WORLDS];
-	// touches of each output at the last outputs, or when it was bound or its world replaced; -1: not known
+	// touches of each output at the last outputs, or when it was bound or its world replaced
 	float touches[MOST_WORLDS][MOST_CHANNELS];
 	bool pulled;       // a call has set the gravity of the worlds
 	bool varied;       // scree_batch_def.other_templates

@@ -4,8 +4,7 @@
 
 #define MOST_CONTACTS 128 // maximum number of contacts of a body; the impulses of more are not compared
 
-#define SKIP_BEGIN (1 << 1) // bits of Read.skipped for the columns of touches
-#define SKIP_SUM   (1 << 2)
+#define SKIP_SUM (1 << 2) // bit of Read.skipped for the sum of impulses
 
 typedef struct // a channel of a world alone
 {
@@ -61,7 +60,7 @@ static void read_touches(Read* r, float* to)
 	scree_contact contacts[MOST_CONTACTS];
 	int count;
 	must(scree_body_get_contacts(r->world, r->channel->body, contacts, MOST_CONTACTS, &count));
-	r->skipped = (count > MOST_CONTACTS ? SKIP_SUM : 0) | (*r->touches < 0.0f ? SKIP_BEGIN : 0);
+	r->skipped = count > MOST_CONTACTS ? SKIP_SUM : 0;
 	for (int k = 0; k < count && k < MOST_CONTACTS; ++k)
 	{
 		r->skipped |= contacts[k].count == 1 ? SKIP_SUM : 0;
@@ -171,7 +170,6 @@ bool check_outputs(Mirror* m)
 	return true;
 }
 
-// The touches of a world that is paused are not read when they are bound, so its first outputs do not say which begin.
 void touches_begin(Mirror* m, int world)
 {
 	const List* l = m->lists + SCREE_OUTPUTS;
@@ -180,6 +178,6 @@ void touches_begin(Mirror* m, int world)
 		int count = 0;
 		if (l->channels[k].kind == SCREE_OUTPUT_TOUCH && channel_found(m->alone[world], l->channels + k))
 			must(scree_body_get_contacts(m->alone[world], l->channels[k].body, NULL, 0, &count));
-		m->touches[world][k] = m->paused[world] ? -1.0f : (float)count;
+		m->touches[world][k] = (float)count;
 	}
 }
