@@ -89,11 +89,16 @@ static int bind(BatchShares* run)
 	return EXIT_GOOD;
 }
 
+// Returns the number of the first world of a batch among those of all batches.
+static int first_of(const BatchShares* run, const BatchShare* share)
+{
+	return share->drive.first - run->shares[0].drive.first;
+}
+
 // Reads the hashes of a batch, for which the device finishes its steps.
 static void read_hashes(BatchShares* run, BatchShare* share)
 {
-	int first = share->drive.first - run->shares[0].drive.first;
-	note(share, scree_batch_get_hashes(share->batch, run->hashes + first));
+	note(share, scree_batch_get_hashes(share->batch, run->hashes + first_of(run, share)));
 }
 
 static void prepare(void* context, int k, int count)
@@ -127,8 +132,7 @@ static void read_results(void* context, int k, int count)
 	BatchShare* share = run->shares + k;
 	read_hashes(run, share);
 	if (share->status == SCREE_OK)
-		note(share,
-		     scree_batch_get_counters(share->batch, run->counters + (share->drive.first - run->shares[0].drive.first)));
+		note(share, scree_batch_get_counters(share->batch, run->counters + first_of(run, share)));
 }
 
 static int smaller(int a, int b) { return a < b ? a : b; }

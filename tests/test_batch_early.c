@@ -102,22 +102,31 @@ static void moving_worlds(void** state)
 	}
 }
 
+// Lets the bodies of a world fall on its floor, pushed by small forces. Returns the number of hubs at the end.
+static int fall(scree_world* world, scree_body pushed, uint64_t seed, int steps)
+{
+	Twins twins;
+	scree_channel force = scree_channel_make(SCREE_INPUT_FORCE);
+	force.body = pushed;
+	open_twins(&twins, world, &force);
+	for (int step = 0; step < steps; ++step)
+		step_twins(&twins, &seed, 1.0f, NULL);
+	int hubs = twins.batch[1]->blocks[0].pipeline.counters.hubs;
+	close_twins(&twins, world);
+	return hubs;
+}
+
 // A heap meets the floor in all worlds at the same step, so the constraints get more places than the solve has room for.
 static void many_contacts_at_once(void** state)
 {
 	(void)state;
 	NEEDS_SECOND_DEVICE();
-	Twins twins;
-	scree_channel force = scree_channel_make(SCREE_INPUT_FORCE);
 	scree_world* world = open_world_on("cpu", 1, (float)-G);
+	scree_body last = {0, 0};
 	add_floor(world);
 	for (int k = 0; k < 40; ++k)
-		force.body = add_crate(world, SCREE_BODY_DYNAMIC, 1.2f * (float)k, 1.5f);
-	open_twins(&twins, world, &force);
-	uint64_t seed = 4;
-	for (int step = 0; step < 40; ++step)
-		step_twins(&twins, &seed, 1.0f, NULL);
-	close_twins(&twins, world);
+		last = add_crate(world, SCREE_BODY_DYNAMIC, 1.2f * (float)k, 1.5f);
+	fall(world, last, 4, 40);
 }
 
 // A body with more contacts than colors becomes a hub, whose contacts this form does not solve.
@@ -125,19 +134,12 @@ static void hubs_enter(void** state)
 {
 	(void)state;
 	NEEDS_SECOND_DEVICE();
-	Twins twins;
-	scree_channel force = scree_channel_make(SCREE_INPUT_FORCE);
 	scree_world* world = open_world_on("cpu", 1, (float)-G);
 	add_floor(world);
-	force.body = add_box(world, SCREE_BODY_DYNAMIC, 20.0f, 0.5f, 0.0f, 0.5f);
+	scree_body plank = add_box(world, SCREE_BODY_DYNAMIC, 20.0f, 0.5f, 0.0f, 0.5f);
 	for (int k = 0; k < 36; ++k)
 		add_crate(world, SCREE_BODY_DYNAMIC, 1.1f * (float)k - 19.0f, 2.0f + 0.05f * (float)k);
-	open_twins(&twins, world, &force);
-	uint64_t seed = 5;
-	for (int step = 0; step < 60; ++step)
-		step_twins(&twins, &seed, 1.0f, NULL);
-	assert_true(twins.batch[1]->blocks[0].pipeline.counters.hubs > 0);
-	close_twins(&twins, world);
+	assert_true(fall(world, plank, 5, 60) > 0);
 }
 
 int main(void)

@@ -35,13 +35,8 @@ static scree_body box(scree_world* world, scree_body_type type, float x, float h
 
 static scree_batch* open_batch(scree_world** templates, int count, int contact_limit)
 {
-	scree_batch_def def = scree_batch_def_default();
+	scree_batch_def def = batch_def_on(device, templates, count, count);
 	scree_batch* batch;
-	def.device = device;
-	def.threads = def.device[0] == 'c' ? 1 : 0;
-	def.worlds = count;
-	def.templates = templates;
-	def.template_count = count;
 	def.contact_limit = contact_limit;
 	OK(scree_batch_create(&def, &batch));
 	return batch;

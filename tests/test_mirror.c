@@ -39,7 +39,8 @@ static void devices_are_equal(void** state)
 	(void)state;
 	NEEDS_SECOND_DEVICE();
 	int count = quick() ? 3 : 20;
-	scree_batch* kept = device_keep(second_device);
+	scree_batch* kept;
+	OK(batch_keep(second_device, &kept));
 	uint64_t hash = run_seeds((Setting){.device = second_device}, count);
 	scree_batch_destroy(kept);
 	assert_true(hash == run_seeds((Setting){.device = "cpu"}, count));

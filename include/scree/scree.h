@@ -2518,9 +2518,10 @@ SCREE_API scree_status scree_batch_save(scree_batch* batch, const int32_t* world
 // Puts `count` different worlds into states, so that they have the hashes of the saved worlds. State k begins at byte
 // k * state_bytes of `states`; if state_bytes is 0, all worlds get the first state. States may come from another batch,
 // device or process with the same version of the library; the template of each world must have the structure and the
-// settings of the one of the saved world, and may be in any state, with other masses of bodies whose mass was set in both, other
-// surfaces, and other bodies and joints disabled. Targets of kinematic bodies that the saved world has not reached must be pending in the
-// template too. Gravity is not part of a state: a world keeps its own. Fails with SCREE_ERROR_INVALID, and changes nothing, if a state is damaged or does not fit.
+// settings of the one of the saved world, and may be in any state, with other masses of bodies whose mass was set in
+// both, other surfaces, and other bodies and joints disabled. Targets of kinematic bodies that the saved world has not
+// reached must be pending in the template too. Gravity is not part of a state: a world keeps its own. Fails with
+// SCREE_ERROR_INVALID, and changes nothing, if a state is damaged or does not fit.
 SCREE_API scree_status scree_batch_load(scree_batch* batch, const int32_t* worlds, int count, const void* states,
                                         size_t state_bytes);
 

@@ -63,15 +63,13 @@ static Solve solve_of(const Pipeline* pipeline, const Step* step, const StepRequ
 bool solve_finds_layout(Pipeline* pipeline, Step* step, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
-	int places = 0;
 	if (!OF_BATCH(step) || !b->f->finds_layout || pipeline->counters.hubs > 0)
 		return false;
-	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		places += pipeline->counters.layout[kind].begin[COLORS + 1];
+	Solve solve = solve_of(pipeline, step, request, COUNT(kept));
+	int places = solve_constraints(&solve);
 	if (places + SPARE_PLACES / 4 > pipeline->solve_places)
 		pipeline->solve_places = places + places / 16 + SPARE_PLACES;
-	step->bays.solve_places = pipeline->solve_places;
-	Solve solve = solve_of(pipeline, step, request, COUNT(kept));
+	solve.places = pipeline->solve_places;
 	bool finds = b->f->finds_layout(b, step, &solve);
 	step->bays.solve_places = finds ? pipeline->solve_places : 0;
 	return finds;

@@ -97,7 +97,9 @@ static void work(const void* options, int job, int jobs, void* sums)
 	const Options* o = options;
 	Sums* s = sums;
 	double begin = seconds_now();
-	scree_batch* kept = strcmp(o->setting.device, "cpu") == 0 ? NULL : device_keep(o->setting.device);
+	scree_batch* kept = NULL;
+	if (strcmp(o->setting.device, "cpu") != 0)
+		must(batch_keep(o->setting.device, &kept));
 	for (int k = job; k < o->seeds && (o->seconds <= 0.0 || seconds_now() - begin < o->seconds); k += jobs)
 	{
 		s->progress.since = seconds_now();

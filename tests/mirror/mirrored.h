@@ -93,7 +93,6 @@ bool batch_open(Mirror* m);
 bool batch_reopen(Mirror* m); // replaces the batch by one whose templates are some of its worlds
 void batch_close(Mirror* m);
 scree_world* clone_alone(scree_world* world);
-scree_batch* device_keep(const char* device); // opens a small batch, so that the context of a GPU stays open
 
 // compare_worlds.c
 uint64_t world_hash(scree_world* world);

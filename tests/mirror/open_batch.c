@@ -181,19 +181,3 @@ void batch_close(Mirror* m)
 	scree_world_destroy(m->bank.world);
 	free(m->bank.state);
 }
-
-scree_batch* device_keep(const char* device)
-{
-	scree_batch_def def = scree_batch_def_default();
-	scree_world_def world_def = scree_world_def_default();
-	scree_world* world;
-	scree_batch* batch;
-	world_def.device = "cpu";
-	must(scree_world_create(&world_def, &world));
-	def.templates = &world;
-	def.template_count = 1;
-	def.device = device;
-	must(scree_batch_create(&def, &batch));
-	scree_world_destroy(world);
-	return batch;
-}

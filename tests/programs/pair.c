@@ -206,7 +206,7 @@ void pair_open(Pair* pair, const Place places[2])
 	arithmetic_setting.flush = places[1].flush;
 	// a failure is reported when the first program fails in the same way
 	if (run_world(&places[1], &made, &pair->keeper) == SCREE_OK && (places[1].batches || places[1].reads))
-		pair->batch_keeper = batch_keep(pair->keeper, &places[1]);
+		batch_keep(places[1].device, &pair->batch_keeper);
 }
 
 static void ignore_line(scree_log_level level, const char* sentence, void* context)

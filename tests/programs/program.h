@@ -123,6 +123,8 @@ void pair_close(Pair* pair);
 Outcome pair_run(Pair* pair, const Program* program, FILE* details);
 void pair_forget(Pair* pair);     // gives new worlds to the next program
 scree_status pair_hide_log(void); // turns off the log of the library
+// run_batch.c: creates a batch of an empty world, which keeps the context of batches on a GPU open.
+scree_status batch_keep(const char* device, scree_batch** batch);
 
 // different.c: reads the first `count` items of a pool. The caller frees the items.
 void* read_items(scree_world* world, PoolId pool, int count);

@@ -274,29 +274,26 @@ static bool steps_alike(scree_world* alone, scree_world* pulled, Copies* c)
 	return true;
 }
 
-// Returns the definition of a batch with one template, which must stay where it is until the batch is created.
-static scree_batch_def definition(scree_world** world, const Place* place, int worlds)
+scree_status batch_keep(const char* device, scree_batch** batch)
 {
+	scree_world_def world_def = scree_world_def_default();
 	scree_batch_def def = scree_batch_def_default();
-	def.worlds = worlds;
-	def.templates = world;
+	scree_world* world;
+	*batch = NULL;
+	world_def.device = "cpu";
+	TRY(scree_world_create(&world_def, &world));
+	def.templates = &world;
 	def.template_count = 1;
-	def.device = place->device;
-	def.threads = place->threads;
-	def.lanes = place->lanes;
-	return def;
-}
-
-scree_batch* batch_keep(scree_world* world, const Place* place)
-{
-	scree_batch_def def = definition(&world, place, 1);
-	scree_batch* batch;
-	return scree_batch_create(&def, &batch) == SCREE_OK ? batch : NULL;
+	def.device = device;
+	scree_status status = scree_batch_create(&def, batch);
+	scree_world_destroy(world);
+	return status;
 }
 
 bool batch_repeat(scree_world* world, const Place* place, int* made)
 {
 	scree_world_def def = scree_world_def_default();
+	scree_batch_def many = scree_batch_def_default();
 	scree_world *alone, *pulled = NULL;
 	scree_batch* batch;
 	bool alike = true;
@@ -309,7 +306,12 @@ bool batch_repeat(scree_world* world, const Place* place, int* made)
 		scree_world_destroy(alone);
 		return true;
 	}
-	scree_batch_def many = definition(&alone, place, COPIES);
+	many.worlds = COPIES;
+	many.templates = &alone;
+	many.template_count = 1;
+	many.device = place->device;
+	many.threads = place->threads;
+	many.lanes = place->lanes;
 	batch_parts_setting = 1 + *made % 2; // every second batch has two blocks
 	if (scree_batch_create(&many, &batch) == SCREE_OK)
 	{

@@ -105,9 +105,8 @@ uint64_t mix_user(uint64_t word, uint64_t a, uint64_t b);
 uint64_t mix_contact(uint64_t word, const scree_contact* contact);
 
 // run_batch.c: copies a world into a batch, and returns whether the copies go on with the same bits. Adds 1 to *made if the
-// world can be copied. batch_keep returns a batch of one copy of a world, or null.
+// world can be copied.
 bool batch_repeat(scree_world* world, const Place* place, int* made);
-scree_batch* batch_keep(scree_world* world, const Place* place);
 
 // run_snapshot.c: takes and restores snapshots. names_clear forgets all names and the snapshot. snapshot_repeat replaces a
 // world by its snapshot, with or without a step before; this changes no result of later calls.

@@ -32,6 +32,18 @@ static inline scree_world* clone_of(scree_world* world)
 	return copy;
 }
 
+// Returns the definition of a batch; on the CPU it has one thread.
+static inline scree_batch_def batch_def_on(const char* device, scree_world** templates, int count, int worlds)
+{
+	scree_batch_def def = scree_batch_def_default();
+	def.device = device;
+	def.threads = device[0] == 'c' ? 1 : 0;
+	def.worlds = worlds;
+	def.templates = templates;
+	def.template_count = count;
+	return def;
+}
+
 // Checks that a call is refused with exactly this sentence.
 #define REFUSED(call, sentence)                       \
 	do                                                \
