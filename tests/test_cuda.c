@@ -167,7 +167,7 @@ typedef struct
 	double seconds; // duration of all steps
 } Side;
 
-static void open_side(Side* side, scree_world* world, const scree_body bodies[CRATES])
+static void open_side(Side* side, scree_world* world, const scree_body bodies[CRATES], int channels)
 {
 	scree_batch_def def = scree_batch_def_default();
 	scree_channel in = scree_channel_make(SCREE_INPUT_FORCE), out[2 * CRATES];
@@ -183,10 +183,17 @@ static void open_side(Side* side, scree_world* world, const scree_body bodies[CR
 		out[k].body = bodies[k / 2];
 	}
 	OK(scree_batch_bind(side->batch, SCREE_STEP_INPUTS, &in, 1, NULL));
-	OK(scree_batch_bind(side->batch, SCREE_OUTPUTS, out, 2 * CRATES, NULL));
+	OK(scree_batch_bind(side->batch, SCREE_OUTPUTS, out, channels, NULL));
 	side->inputs = scree_batch_get_rows(side->batch, SCREE_STEP_INPUTS);
 	side->outputs = scree_batch_get_rows(side->batch, SCREE_OUTPUTS);
 	side->seconds = 0.0;
+}
+
+static void step_side(Side* side)
+{
+	double begin = seconds_now();
+	OK(scree_batch_step(side->batch, 1.0f / 60.0f, 4, 1));
+	side->seconds += seconds_now() - begin;
 }
 
 // Compares batches whose worlds are in one block or in two.
@@ -197,15 +204,17 @@ static void compare_rows(int parts)
 	add_floor(world);
 	for (int k = 0; k < CRATES; ++k)
 		bodies[k] = add_crate(world, SCREE_BODY_DYNAMIC, 0.1f * (float)k, 0.6f + 1.1f * (float)k);
-	Side host, cuda;
+	Side host, cuda, bare; // bare: without outputs, inputs in memory of CUDA
 	batch_parts_setting = parts;
-	open_side(&host, world, bodies);
-	open_side(&cuda, world, bodies);
+	open_side(&host, world, bodies, 2 * CRATES);
+	open_side(&cuda, world, bodies, 2 * CRATES);
+	open_side(&bare, world, bodies, 0);
 	batch_parts_setting = 0;
 	size_t input_bytes = 2 * WORLDS * sizeof(float), output_bytes = COLUMNS * WORLDS * sizeof(float);
 	CudaMemory inputs = allocate(input_bytes), outputs = allocate(output_bytes);
 	OK(scree_batch_share_rows(cuda.batch, SCREE_STEP_INPUTS, inputs.file, inputs.bytes));
 	OK(scree_batch_share_rows(cuda.batch, SCREE_OUTPUTS, outputs.file, outputs.bytes));
+	OK(scree_batch_share_rows(bare.batch, SCREE_STEP_INPUTS, inputs.file, inputs.bytes));
 	float* found = malloc(output_bytes);
 	uint64_t seed = 7, *hashes = malloc(2 * WORLDS * sizeof *hashes);
 	for (int step = 0; step < STEPS; ++step)
@@ -213,21 +222,22 @@ static void compare_rows(int parts)
 		for (int k = 0; k < 2 * WORLDS; ++k)
 			host.inputs[k] = random_between(&seed, -30.0f, 30.0f);
 		CUDA(cuMemcpyHtoD_v2(inputs.at, host.inputs, input_bytes));
-		double begin = seconds_now();
-		OK(scree_batch_step(host.batch, 1.0f / 60.0f, 4, 1));
-		double middle = seconds_now();
-		OK(scree_batch_step(cuda.batch, 1.0f / 60.0f, 4, 1));
-		host.seconds += middle - begin;
-		cuda.seconds += seconds_now() - middle;
+		step_side(&host);
+		step_side(&cuda);
+		step_side(&bare);
 		CUDA(cuMemcpyDtoH_v2(found, outputs.at, output_bytes));
 		assert_memory_equal(found, host.outputs, output_bytes);
 	}
 	OK(scree_batch_get_hashes(host.batch, hashes));
 	OK(scree_batch_get_hashes(cuda.batch, hashes + WORLDS));
 	assert_memory_equal(hashes, hashes + WORLDS, WORLDS * sizeof *hashes);
-	print_message(
-	    "%d worlds in %d blocks, %d columns: a step takes %.3f ms with rows of the host, %.3f ms with rows of CUDA\n",
-	    WORLDS, parts, COLUMNS, 1e3 * host.seconds / STEPS, 1e3 * cuda.seconds / STEPS);
+	OK(scree_batch_get_hashes(bare.batch, hashes));
+	assert_memory_equal(hashes, hashes + WORLDS, WORLDS * sizeof *hashes);
+	print_message("%d worlds in %d blocks: a step with %d columns takes %.3f ms with rows of the host, %.3f ms with "
+	              "rows of CUDA; "
+	              "without columns %.3f ms\n",
+	              WORLDS, parts, COLUMNS, 1e3 * host.seconds / STEPS, 1e3 * cuda.seconds / STEPS,
+	              1e3 * bare.seconds / STEPS);
 
 	// a value that is refused is named as on the host
 	char sentence[256];
@@ -239,6 +249,7 @@ static void compare_rows(int parts)
 	assert_string_equal(scree_error(), sentence);
 	scree_batch_destroy(host.batch);
 	scree_batch_destroy(cuda.batch);
+	scree_batch_destroy(bare.batch);
 	scree_world_destroy(world);
 	free(found);
 	free(hashes);

@@ -393,6 +393,27 @@ static void cached_programs_fail(void** state)
 	assert_true(faults > 20);
 }
 
+// A driver may state after a wait for the queue that a launch has not ended. Its time is read when it has.
+static void times_come_late(void** state)
+{
+	(void)state;
+	NEEDS_SECOND_DEVICE();
+	static const Kind late = {LAYER_ERROR, CL_PROFILING_INFO_NOT_AVAILABLE};
+	scree_world_def def = scree_world_def_default();
+	scree_timings timings;
+	def.device = second_device;
+	def.device_timeout = PATIENT;
+	def.timings = true;
+	scree_world* world = create_world(&def);
+	begin_fault(late, LAYER_GetEventProfilingInfo, 2);
+	run_steps(world, 1);
+	assert_string_equal(layer->failed, "clGetEventProfilingInfo");
+	OK(scree_world_get_timings(world, &timings));
+	assert_true(timings.step > 0.0f);
+	scree_world_destroy(world);
+	end_fault();
+}
+
 static int begin(void** state)
 {
 	OK(scree_hooks_set(&(scree_hooks){.log = note_log}));
@@ -445,7 +466,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(each_call_fails),      cmocka_unit_test(worlds_recover),
 	    cmocka_unit_test(auto_recovers),        cmocka_unit_test(devices_open_with_faults),
-	    cmocka_unit_test(cached_programs_fail),
+	    cmocka_unit_test(cached_programs_fail), cmocka_unit_test(times_come_late),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -8,10 +8,12 @@
 // Error code after which calls with objects of a context may hang or crash; 0: none. Users of the context share it.
 typedef atomic_int ContextFailure;
 
-// Calls an OpenCL function that returns an error code, and checks this code. After the failure of its context the
-// function is not called. failure: that of the context of the arguments.
-#define CALL(failure, name, ...) \
-	context_check((failure), "cl" #name, context_failed(failure) ? context_error(failure) : opencl.name(__VA_ARGS__))
+// Calls an OpenCL function and returns its error code. After the failure of its context the function is not called, and
+// the code is that of the failure. failure: that of the context of the arguments.
+#define CODE(failure, name, ...) (context_failed(failure) ? context_error(failure) : opencl.name(__VA_ARGS__))
+
+// The same, and checks the code.
+#define CALL(failure, name, ...) context_check((failure), "cl" #name, CODE(failure, name, __VA_ARGS__))
 
 // Calls an OpenCL function that returns a new object and writes an error code to its last argument. Writes the object,
 // or null, and the code to the variables `object` and `error`.

@@ -15,11 +15,23 @@ scree_status timing_open(OpenCl* d)
 	                      : fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for the timings of an OpenCL device.");
 }
 
+// Reads the end of a launch, ns. If other queues use the context, the driver of NVIDIA states up to 5 ms after a wait for
+// the queue, clFinish included, that launches have not ended. What they write can be read by then.
+static scree_status lap_end(OpenCl* d, const LaunchTime* lap, cl_ulong* end)
+{
+	cl_int error =
+	    CODE(d->failure, GetEventProfilingInfo, lap->event, CL_PROFILING_COMMAND_END, sizeof *end, end, NULL);
+	if (error != CL_PROFILING_INFO_NOT_AVAILABLE)
+		return context_check(d->failure, "clGetEventProfilingInfo", error);
+	TRY(wait_for(d->failure, lap->event, d->wait_limit, d->device.type & CL_DEVICE_TYPE_CPU));
+	return CALL(d->failure, GetEventProfilingInfo, lap->event, CL_PROFILING_COMMAND_END, sizeof *end, end, NULL);
+}
+
 static scree_status lap_read(OpenCl* d, const LaunchTime* lap)
 {
 	cl_ulong begin = 0, end = 0; // ns
+	TRY(lap_end(d, lap, &end));
 	TRY(CALL(d->failure, GetEventProfilingInfo, lap->event, CL_PROFILING_COMMAND_START, sizeof begin, &begin, NULL));
-	TRY(CALL(d->failure, GetEventProfilingInfo, lap->event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL));
 	d->timing.milliseconds[lap->stage] += 1e-6 * (double)(end - begin);
 	return SCREE_OK;
 }
