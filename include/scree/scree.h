@@ -2456,8 +2456,8 @@ SCREE_API void scree_batch_destroy(scree_batch* batch);
 
 // Applies the inputs of the steps, advances all worlds that are not paused by `steps` steps, at least 0, and writes the outputs.
 // With 0 steps it does nothing. dt, substeps: as for scree_world_step. A world with more contacts than
-// scree_batch_def.contact_limit is left as it was before the step, and paused; all others go on. Inputs out of range are
-// refused, and nothing changes. Another failure breaks the batch: every later call returns the same status, and it can only
+// scree_batch_def.contact_limit is left as it was before the step, and paused; its inputs have acted, and bodies with a
+// target stand. All others go on. Inputs out of range are refused, and nothing changes. Another failure breaks the batch: every later call returns the same status, and it can only
 // be destroyed.
 SCREE_API scree_status scree_batch_step(scree_batch* batch, float dt, int substeps, int steps);
 

@@ -128,7 +128,7 @@ static scree_status find_chains(Change* c)
 		bool in = c->patched->joints[k] & IN_CHAIN, was = c->now.joint[k] & OWN_JOINT_CHAINED;
 		if (in == was)
 			continue;
-		c->patched->joints[k] |= RESTARTS;
+		c->patched->joints[k] |= RECHAINED;
 		c->now.joint[k] ^= OWN_JOINT_CHAINED;
 	}
 	return SCREE_OK;

@@ -215,11 +215,13 @@ void own_add_joints(Change* c)
 	const scree_world* world = c->patched->world;
 	for (int k = 0; k < c->now.joints; ++k)
 	{
-		if (!(c->patched->joints[k] & RESTARTS) || !slots_in_use(&world->joints, k))
+		int marks = c->patched->joints[k] & (RESTARTS | RECHAINED);
+		if (!marks || !slots_in_use(&world->joints, k))
 			continue;
+		int flags = (marks & RESTARTS ? JOINT_RESTARTS : 0) | (marks & RECHAINED ? JOINT_RECHAINED : 0);
 		add(c, (Command){.kind = COMMAND_JOINT,
 		                 .index = bay_item(bays->worlds, c->bay, k, 1 << bays->joint_bits),
-		                 .whole = {joint_edit(world, k).flags | JOINT_RESTARTS}});
+		                 .whole = {joint_edit(world, k).flags | flags}});
 		c->block->pipeline.dirty = true;
 	}
 }

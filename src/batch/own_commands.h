@@ -9,11 +9,12 @@
 typedef struct // host data of a template with the own values of one world; null before a world of the template needs it
 {
 	scree_world* world;
-	uint8_t* joints; // per joint: IN_CHAIN and RESTARTS bits
+	uint8_t* joints; // per joint: IN_CHAIN, RESTARTS and RECHAINED bits
 } Patched;
 
-#define IN_CHAIN 1
-#define RESTARTS 2
+#define IN_CHAIN  1
+#define RESTARTS  2
+#define RECHAINED 4 // entered or left a chain
 
 typedef struct BlockOwn
 {

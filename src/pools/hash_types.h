@@ -50,6 +50,7 @@ INLINE Word64 hash_LocalManifold(Word64 h, LocalManifold v)
 	return hash_float4(hash_float4(hash_float4(hash_float4(h, v.normal), v.on_a), v.relative), v.then);
 }
 
+INLINE Word64 hash_JointFlags(Word64 h, JointFlags v) { return hash_int(h, v & ~JOINT_RECHAINED); }
 INLINE Word64 hash_joint(Word64 h, JointData v, Origin origin)
 {
 	const float* numbers = &v.modes;

@@ -75,6 +75,7 @@ typedef struct // host data of a joint
 	bool seeks;               // true: the search for the nearest part of the path must be repeated
 	bool counts;              // true: the angle will get its number of whole turns (joint_count_turns)
 	bool restarts;            // true: the constraint begins again
+	bool rechained;           // true: the same, because the joint entered or left a chain
 	bool created;             // created since the last upload
 	bool waiting;             // pending for the next upload
 	bool marked;              // within one call: true if the joint is already in the batch

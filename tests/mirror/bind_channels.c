@@ -145,9 +145,8 @@ static bool bind(Mirror* m, scree_channels list)
 	return true;
 }
 
-// A world that becomes crowded is left as it was before its inputs, which a world alone cannot take back.
-bool bind_inputs(Mirror* m) { return m->contact_limit > 0 || bind(m, SCREE_STEP_INPUTS); }
+bool bind_inputs(Mirror* m) { return bind(m, SCREE_STEP_INPUTS); }
 
-bool bind_resets(Mirror* m) { return m->contact_limit > 0 || bind(m, SCREE_RESET_INPUTS); }
+bool bind_resets(Mirror* m) { return bind(m, SCREE_RESET_INPUTS); }
 
 bool bind_outputs(Mirror* m) { return bind(m, SCREE_OUTPUTS); }

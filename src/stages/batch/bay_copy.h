@@ -182,7 +182,7 @@ INLINE void bay_copy_joint(const Pools* p, int i)
 	p->joint_data[c.to].body_b = b;
 	int changed = c.live ? (flags_before ^ flags) & ~JOINT_ASLEEP : 0;
 	int acts = joint_wanted(flags) && !(flags & JOINT_ASLEEP);
-	int begins = acts != (color != COLOR_NONE) || flags & (JOINT_NEW | JOINT_RESTARTS);
+	int begins = acts != (color != COLOR_NONE) || flags & (JOINT_NEW | JOINT_BEGINS_AGAIN);
 	if (changed & (JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN) || others) // the pairs that joints keep apart
 		raise_int(&p->counters->joints_dirty, 0x7fffffff);
 	else if (c.live && (changed || begins))

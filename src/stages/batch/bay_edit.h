@@ -46,7 +46,6 @@ KERNEL(bay_edit)
 	for (int k = p->command_group[i]; k < p->command_group[i + 1]; ++k)
 	{
 		Command c = p->command[k];
-		int kept = JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW | JOINT_ASLEEP;
 		switch (c.kind)
 		{
 		case COMMAND_SURFACE:
@@ -57,7 +56,7 @@ KERNEL(bay_edit)
 			bay_share(p, c.index, c.whole[0]);
 			break;
 		case COMMAND_JOINT: // as in joint_apply
-			p->joint_flags[c.index] = c.whole[0] | (p->joint_flags[c.index] & kept);
+			p->joint_flags[c.index] = c.whole[0] | (p->joint_flags[c.index] & JOINT_KEPT_BITS);
 			raise_int(&p->counters->joints_dirty, 0x7fffffff);
 			break;
 		case COMMAND_ORIGIN:

@@ -46,7 +46,7 @@ KERNEL(joint_apply)
 		p->joint_place[slot] = -1;
 	}
 	else if (!(edit.flags & JOINT_NEW))
-		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW | JOINT_ASLEEP);
+		edit.flags |= p->joint_flags[slot] & JOINT_KEPT_BITS;
 	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
 	{
 		joint_count_turns(p, slot, &edit.data);
@@ -97,11 +97,11 @@ LIST_KERNEL(joint_update, began, began)
 	int flags = p->joint_flags[i], wanted = joint_wanted(flags);
 	if (p->counters->stalled)
 		return EDGE_NONE;
-	if (!wanted || flags & JOINT_RESTARTS)
+	if (!wanted || flags & JOINT_BEGINS_AGAIN)
 		joint_rest(p, i);
-	if (p->counters->joint_moved || flags & JOINT_RESTARTS)
+	if (p->counters->joint_moved || flags & JOINT_BEGINS_AGAIN)
 		edge_mark_dirty(p, CONSTRAINT_JOINT);
-	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_NEW);
+	p->joint_flags[i] = flags & ~(JOINT_BEGINS_AGAIN | JOINT_NEW);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return EDGE_NONE;
 	if (!(p->sleep[p->joint_data[i].body_a] | p->sleep[p->joint_data[i].body_b]))

@@ -147,9 +147,9 @@ static void set_spots(scree_world* world, const int* spots)
 		HostJoint* host = world->host_joints + k;
 		if (host->spot == spots[k])
 			continue;
-		bool restarts = (host->spot < 0) != (spots[k] < 0);
+		host->rechained |= (host->spot < 0) != (spots[k] < 0);
 		host->spot = spots[k];
-		joint_resend(world, k, restarts);
+		joint_resend(world, k);
 	}
 }
 

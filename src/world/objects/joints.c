@@ -35,14 +35,14 @@ void joint_changed(scree_world* world, int index, bool restarts)
 {
 	wake_body(world, world->host_joints[index].bodies[0]);
 	wake_body(world, world->host_joints[index].bodies[1]);
-	joint_resend(world, index, restarts);
+	world->host_joints[index].restarts |= restarts;
+	world->chains_stale |= restarts;
+	joint_resend(world, index);
 }
 
-void joint_resend(scree_world* world, int index, bool restarts)
+void joint_resend(scree_world* world, int index)
 {
 	HostJoint* host = world->host_joints + index;
-	host->restarts |= restarts;
-	world->chains_stale |= restarts;
 	if (!host->waiting)
 		world->edits.joints[world->edits.joint_count++] = index;
 	host->waiting = true;
@@ -222,8 +222,8 @@ JointEdit joint_edit(const scree_world* world, int index)
 	scree_joint_side side_a = side_of(def, 0), side_b = side_of(def, 1);
 	JointEdit edit = {.slot = index,
 	                  .spot = host->spot == SPOT_UNKNOWN ? -1 : host->spot,
-	                  .flags = (host->restarts ? JOINT_RESTARTS : 0) | (host->created ? JOINT_NEW : 0) |
-	                           (host->seeks ? JOINT_SEEKS : 0)};
+	                  .flags = (host->restarts ? JOINT_RESTARTS : 0) | (host->rechained ? JOINT_RECHAINED : 0) |
+	                           (host->created ? JOINT_NEW : 0) | (host->seeks ? JOINT_SEEKS : 0)};
 	if (!slots_in_use(&world->joints, index))
 		return edit;
 	const HostPath* path = host->path >= 0 ? world->host_paths + host->path : NULL;

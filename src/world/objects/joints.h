@@ -27,7 +27,7 @@ JointEdit joint_edit(const scree_world* world, int index);
 void joint_changed(scree_world* world, int index, bool restarts);
 
 // The same for a change that wakes no body.
-void joint_resend(scree_world* world, int index, bool restarts);
+void joint_resend(scree_world* world, int index);
 
 // Restarts the joints of a body whose type has changed, or which was enabled or disabled.
 void body_joints_changed(scree_world* world, int body);

@@ -117,7 +117,7 @@ static void clear(scree_world* world)
 	for (int k = 0; k < p->joint_count; ++k)
 	{
 		HostJoint* host = world->host_joints + p->joints[k];
-		host->waiting = host->restarts = host->created = host->seeks = host->counts = false;
+		host->waiting = host->restarts = host->rechained = host->created = host->seeks = host->counts = false;
 	}
 	for (int k = 0; k < p->path_count; ++k)
 		world->host_paths[p->paths[k]].waiting = false;
