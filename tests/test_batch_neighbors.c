@@ -452,6 +452,35 @@ static void outputs_are_the_poses_of_calls(void** state)
 	scree_world_destroy(world);
 }
 
+// The force of a motor is an output before the first step, although the first world of the batch has no motors.
+static void motors_have_forces_at_once(void** state)
+{
+	(void)state;
+	scree_world *worlds[2] = {open_space(), open_space()}, *world = worlds[1];
+	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
+	scree_channel channel = scree_channel_make(SCREE_OUTPUT_JOINT_FORCE);
+	scree_joint_state alone;
+	float rows[2][3];
+	box(worlds[0], SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f);
+	def.body_b = box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f);
+	def.coordinates[SCREE_ANGLE].motor = true;
+	def.coordinates[SCREE_ANGLE].motor_speed = 100.0f;
+	def.coordinates[SCREE_ANGLE].motor_max = 2.0f;
+	OK(scree_joint_create(world, &def, &channel.joint));
+	OK(scree_world_step(world, STEP, 4));
+	OK(scree_joint_get_state(world, channel.joint, &alone));
+	assert_true(alone.torque > 1.9f);
+	scree_batch* batch = open_batch(worlds, 2, 0);
+	OK(scree_batch_bind(batch, SCREE_OUTPUTS, &channel, 1, &rows[0][0]));
+	OK(scree_batch_observe(batch));
+	assert_true(rows[1][2] == alone.torque);
+	OK(scree_batch_step(batch, 0.0f, 4, 1));
+	assert_true(rows[1][2] == alone.torque);
+	scree_batch_destroy(batch);
+	scree_world_destroy(worlds[0]);
+	scree_world_destroy(worlds[1]);
+}
+
 // A state with more contacts than the limit is accepted, as the batch with the limit may have saved it; new ones are not.
 static void states_above_the_limit(void** state)
 {
@@ -520,7 +549,7 @@ int main(void)
 	    cmocka_unit_test(refused_steps_leave_sleepers),   cmocka_unit_test(worlds_are_copied_at_once),
 	    cmocka_unit_test(chains_leave_with_their_world),  cmocka_unit_test(chains_end_in_a_reset),
 	    cmocka_unit_test(outputs_are_the_poses_of_calls), cmocka_unit_test(states_above_the_limit),
-	    cmocka_unit_test(contacts_of_the_state),
+	    cmocka_unit_test(contacts_of_the_state),          cmocka_unit_test(motors_have_forces_at_once),
 	};
 	int failures = 0;
 	find_second_device(NULL);

@@ -5,6 +5,7 @@
 // in a step, so that no later bit differs.
 #include "batch/row_world.h"
 #include "batch/own_host.h"
+#include "step/constants.h"
 #include "step/event_readback.h"
 #include "step/relayout.h"
 #include "step/reserve.h"
@@ -107,10 +108,7 @@ static void set_duties(Pipeline* p, const RowHead* head)
 	step->dt = head->dt;
 	step->h = head->state.substep;
 	step->inv_h = step->h > 0.0f ? 1.0f / step->h : 0.0f;
-	step->has_drives = p->has_drives;
-	step->springs = p->springs;
-	step->couplings = p->couplings;
-	step->paths = p->paths;
+	step_joints(step, p);
 	step->has_rolling = p->has_rolling;
 	p->taut = head->state.taut_seen;
 	p->surfaces_changed = head->state.surfaces != 0;

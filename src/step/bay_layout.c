@@ -23,8 +23,8 @@ static Step step_between(const Pipeline* pipeline)
 	Step step = pipeline->step;
 	step_bays(&step, &pipeline->bays);
 	step.belts = pipeline->belts;
-	step.paths = pipeline->paths;
 	step.sleep = pipeline->sleeps;
+	step_joints(&step, pipeline);
 	return step;
 }
 

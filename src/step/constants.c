@@ -106,6 +106,14 @@ void step_places(Step* step, const Backend* b)
 		step->place_capacity[kind] = b->capacity[kind_info[kind].places];
 }
 
+void step_joints(Step* step, const Pipeline* pipeline)
+{
+	step->has_drives = pipeline->has_drives;
+	step->springs = pipeline->springs;
+	step->couplings = pipeline->couplings;
+	step->paths = pipeline->paths;
+}
+
 void step_bays(Step* step, const Bays* bays)
 {
 	step->bays = *bays;
@@ -171,10 +179,6 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .joints = pipeline->counters.joints > 0,
 	    .calm = gravity.calm && (plain || OF_BATCH(pipeline)),
 	    .chain_places = pipeline->chain_places,
-	    .has_drives = pipeline->has_drives,
-	    .springs = pipeline->springs,
-	    .couplings = pipeline->couplings,
-	    .paths = pipeline->paths,
 	    .kinematic = request->kinematic,
 	    .presses = pipeline->statics && (request->kinematic > 0 || pipeline->tethers || pipeline->counters.presses > 0),
 	    .round = pipeline->round,
@@ -196,6 +200,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 		step_bays(&step, &pipeline->bays);
 		step.contact_capacity = bays_contacts(pipeline);
 	}
+	step_joints(&step, pipeline);
 	step_places(&step, b);
 	return step;
 }

@@ -9,6 +9,9 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request);
 // Returns the values of a step that depend on gravity, m/s^2. The gravity of the request is not used.
 BayGravity step_gravity(const StepRequest* request, scree_vec gravity);
 
+// Sets what joints have now: drives, springs, couplings, paths. The last step may have been before a joint got them.
+void step_joints(Step* step, const Pipeline* pipeline);
+
 // Sets the members that depend on the bays of a batch; zeros: there is none.
 void step_bays(Step* step, const Bays* bays);
 

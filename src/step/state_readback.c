@@ -2,6 +2,7 @@
 // state_readback.c -- computes the world hash, render rows, and reports of joints and contacts, between steps.
 #include "step/state_readback.h"
 #include "platform/error.h"
+#include "step/constants.h"
 #include "step/dispatch.h"
 #include "step/reserve.h"
 #include <string.h>
@@ -49,10 +50,7 @@ scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count)
 	Backend* b = pipeline->backend;
 	Run run = {.kernel_id = KERNEL_joint_report, .begin = first, .end = first + count, .count = NO_COUNT};
 	Step step = pipeline->step;
-	step.has_drives = pipeline->has_drives;
-	step.springs = pipeline->springs;
-	step.couplings = pipeline->couplings;
-	step.paths = pipeline->paths;
+	step_joints(&step, pipeline);
 	return b->f->run(b, &step, &run, 1);
 }
 
