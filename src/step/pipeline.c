@@ -237,6 +237,7 @@ static scree_status skip(Pipeline* pipeline, const StepRequest* request)
 		pipeline->step = step_constants(pipeline, request);
 	pipeline->traffic = (scree_traffic){0};
 	memset(pipeline->stage_times, 0, sizeof pipeline->stage_times);
+	pipeline->last_dt = request->dt;
 	++pipeline->steps;
 	++pipeline->skipped;
 	pipeline->rested = true;
@@ -268,6 +269,8 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	pipeline->trees[0].seen = false;
 	TRY(prepare(pipeline, request));
 	Step step = step_constants(pipeline, request);
+	if (request->dt != pipeline->last_dt && (step.small || pipeline->platforms))
+		pipeline->listed = false; // visits groups that rest too: depends_on_length
 	scree_status status = run_stages(pipeline, &step, request);
 	if (status && status != SCREE_ERROR_DEVICE_FAILED && !pipeline->started &&
 	    (apply_commands(pipeline, &step, &request->commands, request->commands.undo) == SCREE_ERROR_DEVICE_FAILED ||
@@ -289,6 +292,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 		count_quiet(pipeline, request->dt, before);
 	pipeline->sleeps = request->sleep;
 	pipeline->listed = step.sleep;
+	pipeline->last_dt = request->dt;
 	pipeline->collidables = request->collidables;
 	pipeline->settles = pipeline->settles && request->dt == 0.0f;
 	pipeline->jumps = false;

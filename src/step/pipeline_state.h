@@ -85,6 +85,7 @@ typedef struct
 	bool jumps;          // the user placed or created something since the last step, so boxes may jump
 	bool sleeps;         // some body may sleep, because bodies were allowed to sleep in the last step or since
 	bool listed;         // the device lists the groups of items that a step visits
+	float last_dt;       // s: length of the last step, also if it was 0
 	int collidables;     // number of slots of collidables in the last step
 	bool skips;          // the current step skips groups of items that cannot change
 	bool settles;        // the user puts bodies to sleep, or created sleeping ones, since the last step with dt above 0

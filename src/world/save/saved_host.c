@@ -288,6 +288,7 @@ static void read_pipeline(Pipeline* pipeline, const Pipeline* then)
 	pipeline->counters = then->counters;
 	pipeline->kinematics = then->kinematics;
 	pipeline->listed = then->listed;
+	pipeline->last_dt = then->last_dt;
 	pipeline->edited = then->edited;
 	pipeline->chains = then->chains;
 	pipeline->chain_ranges = then->chain_ranges;
