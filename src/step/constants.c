@@ -128,6 +128,11 @@ int bays_contacts(const Pipeline* pipeline)
 	return group_items(pipeline->live_bays << pipeline->bays.contact_bits) + 1;
 }
 
+bool step_small(const Pipeline* pipeline)
+{
+	return pipeline->continuous_way <= CONTINUOUS_TRAVEL * (0.5f * GRAIN_SIZE);
+}
+
 Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 {
 	const scree_tuning* tuning = &request->tuning;
@@ -182,7 +187,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	    .kinematic = request->kinematic,
 	    .presses = pipeline->statics && (request->kinematic > 0 || pipeline->tethers || pipeline->counters.presses > 0),
 	    .round = pipeline->round,
-	    .small = pipeline->continuous_way <= CONTINUOUS_TRAVEL * (0.5f * GRAIN_SIZE),
+	    .small = step_small(pipeline),
 	    .sleep = request->sleep || pipeline->sleeps,
 	    .sleep_threshold = request->sleep_threshold,
 	    .continuous_way = pipeline->continuous_way,

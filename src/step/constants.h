@@ -4,6 +4,9 @@
 #define CONSTANTS_H
 #include "step/pipeline_state.h"
 
+// Returns whether some body is, or was, so small that its contacts begin nearer than others.
+bool step_small(const Pipeline* pipeline);
+
 Step step_constants(const Pipeline* pipeline, const StepRequest* request);
 
 // Returns the values of a step that depend on gravity, m/s^2. The gravity of the request is not used.

@@ -214,7 +214,7 @@ static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 
 // Returns whether contacts of sleeping bodies depend on the length of a step: those of small bodies begin at a distance of
 // about g dt^2, and a platform holds a visitor that gets over it in the step.
-static bool depends_on_length(const Pipeline* pipeline) { return pipeline->step.small || pipeline->platforms; }
+static bool depends_on_length(const Pipeline* pipeline) { return step_small(pipeline) || pipeline->platforms; }
 
 // Returns whether a step would change nothing: in the last QUIET_STEPS steps all bodies slept or cannot move, the user
 // has changed nothing since, and no contacts are to be packed. The counter `movers` that a step reads is that of the
@@ -267,10 +267,10 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	pipeline->crowded = false;
 	pipeline->rested = false;
 	pipeline->trees[0].seen = false;
+	if (request->dt != pipeline->last_dt && depends_on_length(pipeline))
+		pipeline->listed = false; // the step visits groups that rest too
 	TRY(prepare(pipeline, request));
 	Step step = step_constants(pipeline, request);
-	if (request->dt != pipeline->last_dt && (step.small || pipeline->platforms))
-		pipeline->listed = false; // visits groups that rest too: depends_on_length
 	scree_status status = run_stages(pipeline, &step, request);
 	if (status && status != SCREE_ERROR_DEVICE_FAILED && !pipeline->started &&
 	    (apply_commands(pipeline, &step, &request->commands, request->commands.undo) == SCREE_ERROR_DEVICE_FAILED ||
