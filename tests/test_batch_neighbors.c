@@ -481,6 +481,32 @@ static void motors_have_forces_at_once(void** state)
 	scree_world_destroy(worlds[1]);
 }
 
+// A body of a template that was destroyed after the last step touches nothing, also before the first step of a batch.
+static void destroyed_bodies_touch_nothing(void** state)
+{
+	(void)state;
+	scree_world* world = open_space();
+	scree_body left = box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f),
+	           right = box(world, SCREE_BODY_DYNAMIC, 1.0f, 0.5f, 0.5f);
+	scree_channel channel = scree_channel_make(SCREE_OUTPUT_TOUCH);
+	float row[3];
+	channel.body = left;
+	OK(scree_world_step(world, STEP, 4));
+	for (int k = 0; k < 2; ++k)
+	{
+		scree_batch* batch = open_batch(&world, 1, 0);
+		OK(scree_batch_bind(batch, SCREE_OUTPUTS, &channel, 1, row));
+		OK(scree_batch_observe(batch));
+		assert_int_equal((int)row[0], k == 0);
+		OK(scree_batch_step(batch, STEP, 4, 1));
+		assert_int_equal((int)row[0], k == 0);
+		scree_batch_destroy(batch);
+		if (k == 0)
+			OK(scree_body_destroy(world, right));
+	}
+	scree_world_destroy(world);
+}
+
 // A state with more contacts than the limit is accepted, as the batch with the limit may have saved it; new ones are not.
 static void states_above_the_limit(void** state)
 {
@@ -550,6 +576,7 @@ int main(void)
 	    cmocka_unit_test(chains_leave_with_their_world),  cmocka_unit_test(chains_end_in_a_reset),
 	    cmocka_unit_test(outputs_are_the_poses_of_calls), cmocka_unit_test(states_above_the_limit),
 	    cmocka_unit_test(contacts_of_the_state),          cmocka_unit_test(motors_have_forces_at_once),
+	    cmocka_unit_test(destroyed_bodies_touch_nothing),
 	};
 	int failures = 0;
 	find_second_device(NULL);

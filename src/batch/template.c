@@ -173,11 +173,12 @@ static scree_status find_restarts(Template* made, const char* function)
 	return SCREE_OK;
 }
 
-// Marks the collidables whose contacts restarted after the last step of the template, so that touches of a reset count as alone.
+// Marks the collidables whose contacts restarted after the last step of the template, and those that were destroyed since, so that
+// touches of a reset count as alone.
 static void mark_restarts(const scree_world* world, Template* made)
 {
 	for (int k = 0; k < made->count[POOL_collidable_flags]; ++k)
-		if (slots_in_use(&world->collidables, k) && world->host_collidables[k].born >= world->pipeline.steps)
+		if (!slots_in_use(&world->collidables, k) || world->host_collidables[k].born >= world->pipeline.steps)
 			made->image.collidable_flags[k] |= COLLIDABLE_RESTARTED;
 }
 

@@ -16,13 +16,12 @@ typedef int JointFlags;
 #define JOINT_NEW       128  // the slot contains a new joint
 #define JOINT_STIRS     1024 // an input of a batch changed the joint; channel_stir clears this
 #define JOINT_ASLEEP    512  // has no constraint because a body sleeps; its impulses are kept
-#define JOINT_RECHAINED \
-	2048 // entered or left a chain, so the constraint must end and begin again; a refused step sets it too
-#define JOINT_SEEKS 256 // flag of an edit: a body or a frame was placed, so the whole path must be searched
+#define JOINT_RECHAINED 2048 // it entered or left a chain: must end and begin again; a refused step may set it
+#define JOINT_SEEKS     256  // flag of an edit: a body or a frame was placed, so the whole path must be searched
 
+// masks of reasons to end and begin again, and of the bits that an edit of a joint leaves as they are
 #define JOINT_BEGINS_AGAIN (JOINT_RESTARTS | JOINT_RECHAINED)
-// mask of the bits that a new edit of a joint leaves as they are
-#define JOINT_KEPT_BITS (JOINT_BROKEN | JOINT_BEGINS_AGAIN | JOINT_NEW | JOINT_ASLEEP)
+#define JOINT_KEPT_BITS    (JOINT_BROKEN | JOINT_BEGINS_AGAIN | JOINT_NEW | JOINT_ASLEEP)
 
 // Bits of JointData.modes: four for each coordinate k, then others.
 #define JOINT_LOCKED(k)  (1 << (4 * (k)))
