@@ -51,13 +51,22 @@ static bool refuse_number(Mirror* m, Length length)
 	return compare_worlds(m);
 }
 
+// Returns whether a later channel of a list sets the velocity of the body of channel c, which replaces its target.
+static bool target_is_replaced(const List* l, int c)
+{
+	for (int k = c + 1; k < l->count; ++k)
+		if (l->channels[k].kind == SCREE_INPUT_VELOCITY && l->channels[k].body.index == l->channels[c].body.index)
+			return true;
+	return false;
+}
+
 // Lets the bodies of world k alone stand that have a target of the inputs: it ends with the step, also if that is refused.
 static bool end_targets(Mirror* m, int k)
 {
 	const List* l = m->lists + SCREE_STEP_INPUTS;
 	for (int c = 0; c < l->count; ++c)
-		if (l->channels[c].kind == SCREE_INPUT_TARGET && channel_found(m->alone[k], l->channels + c) &&
-		    scree_body_is_enabled(m->alone[k], l->channels[c].body))
+		if (l->channels[c].kind == SCREE_INPUT_TARGET && !target_is_replaced(l, c) &&
+		    channel_found(m->alone[k], l->channels + c) && scree_body_is_enabled(m->alone[k], l->channels[c].body))
 			NEED(m, scree_body_set_velocity(m->alone[k], l->channels[c].body, (scree_velocity){{0.0f, 0.0f}, 0.0f}));
 	return true;
 }
