@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_sleep_supports.c -- checks that a change of a support wakes what rests on it, in the next step, and nothing else.
+#include "support/make_joints.h"
 #include "support/make_sleepers.h"
 
 // Two stacks on two tables of 2 m at x = 0 and x = 10, whose surfaces are at y = 4. The floor is below.
@@ -260,6 +261,26 @@ static void bodies_do_not_sleep_in_the_air(void** state)
 }
 
 // A field on a body wakes sleepers in the place to which the user moves the body.
+// A joint that was disabled while its body slept connects nothing, so its support may move.
+static void disabled_joints_wake_nothing(void** state)
+{
+	(void)state;
+	scree_world* world = open_sleepers(-10.0f);
+	scree_body crate = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f),
+	           support = add_crate(world, SCREE_BODY_KINEMATIC, 3.0f, 5.0f);
+	scree_joint joint = join(world, SCREE_JOINT_DISTANCE, crate, support, 1.5f, 2.0f);
+	run_to_sleep(world, &crate, 1);
+	OK(scree_joint_set_enabled(world, joint, false));
+	OK(scree_body_set_awake(world, crate, false));
+	run_as_before(world, &crate, 1, 10, false);
+	OK(scree_body_set_velocity(world, support, (scree_velocity){{1.0f, 0.0f}, 0.0f}));
+	run_as_before(world, &crate, 1, 20, false);
+	OK(scree_joint_set_enabled(world, joint, true));
+	run_steps(world, 1);
+	expect_awake(world, &crate, 1, true);
+	close_sleepers(world);
+}
+
 static void placed_fields_wake(void** state)
 {
 	(void)state;
@@ -293,6 +314,7 @@ int main(void)
 	    cmocka_unit_test(sleepers_are_placed),
 	    cmocka_unit_test(worlds_wake),
 	    cmocka_unit_test(bodies_do_not_sleep_in_the_air),
+	    cmocka_unit_test(disabled_joints_wake_nothing),
 	    cmocka_unit_test(placed_fields_wake),
 	};
 	return RUN_SLEEPERS(tests);

@@ -28,10 +28,12 @@ INLINE int support_moves(const Pools* p, int i)
 	return body_still(p, i) == STILL_MOVED || (!body_can_move(p, i) && body_is_moving(p, i));
 }
 
-// Marks the island of a sleeping body that is joined to a static or kinematic body that moves.
+// Marks the island of a sleeping body that is joined to a static or kinematic body that moves. A joint that was disabled since
+// its bodies fell asleep keeps its flag, and marks nothing.
 KERNEL(joint_wake)
 {
-	if (p->counters->stalled || !(p->joint_flags[i] & JOINT_ASLEEP))
+	int flags = p->joint_flags[i];
+	if (p->counters->stalled || !(flags & JOINT_ASLEEP) || !joint_wanted(flags))
 		return;
 	Int2 bodies = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
 	if (support_moves(p, bodies.x) || support_moves(p, bodies.y))
