@@ -40,9 +40,11 @@ void block_places_close(Block* block)
 	scree_release(block->unused);
 }
 
-static scree_status copy(Block* block, int count)
+// contacts: maximum number of contacts with a color that the copy of a world has.
+static scree_status copy(Block* block, int count, int contacts)
 {
-	return bays_copy(&block->pipeline, block->copies, block->rows, count);
+	const int most[] = {[CONSTRAINT_CONTACT] = contacts, [CONSTRAINT_JOINT] = block->pipeline.bay_joints};
+	return bays_copy(&block->pipeline, block->copies, block->rows, count, most);
 }
 
 // Makes room for `leaving` more paused worlds.
@@ -77,7 +79,7 @@ static scree_status leave(Block* block)
 		block->bay_of[row] = to;
 		block->row_of[from] = -1;
 	}
-	return copy(block, count);
+	return copy(block, count, 0);
 }
 
 static Pending template_pending(const Pipeline* from)
@@ -136,13 +138,13 @@ scree_status block_restore(Block* block, const uint8_t* mask, int* count)
 	for (int k = 0; k < found && block->targets; ++k)
 		block_targets_begin(block, block->rows[k]);
 	*count = found;
-	return copy(block, found);
+	return copy(block, found, block->touching);
 }
 
 // Moves worlds to the first `live` bays, and puts worlds back to their templates.
 static scree_status enter(Block* block, int live)
 {
-	int count = 0, free = 0;
+	int count = 0, free = 0, contacts = block->touching;
 	for (int row = 0; row < block->worlds; ++row)
 	{
 		if (block->plan[row] & PLAN_PAUSE)
@@ -163,12 +165,14 @@ static scree_status enter(Block* block, int live)
 			block->unused[block->unused_count++] = from;
 		else if (to != from)
 			block->row_of[from] = -1;
+		if (!resets && to != from)
+			contacts = 1 << block->pipeline.bays.contact_bits;
 		if (resets || to != from)
 			block_add_copy(block, &count, resets ? block->spare_of[block_number(block, row)] : from, to, row);
 		block->bay_of[row] = to;
 		block->row_of[to] = row;
 	}
-	return copy(block, count);
+	return copy(block, count, contacts);
 }
 
 // Empties bays from `live` on that were live before.
@@ -177,7 +181,8 @@ static scree_status vacate(Block* block, int live)
 	int count = 0;
 	for (int bay = live; bay < block->pipeline.live_bays; ++bay)
 		block_add_copy(block, &count, block->empty, bay, -1);
-	return copy(block, count);
+	const int none[CONSTRAINT_KINDS] = {0};
+	return bays_copy(&block->pipeline, block->copies, block->rows, count, none);
 }
 
 // Counts the touches of worlds that run again, so that the next outputs do not take them for new ones.

@@ -308,7 +308,7 @@ scree_status block_fill(Block* block)
 	c->contacts = block->worlds << p->bays.contact_bits;
 	c->joints = p->bay_joints ? block->worlds << p->bays.joint_bits : 0;
 	c->joints_dirty = p->bay_joints || p->excluded > 0 ? INT32_MAX : 0;
-	c->joint_moved = p->bay_joints;
+	c->joint_moved = p->bay_joints > 0;
 	p->dirty = c->joints_dirty > 0;
 	return b->f->write(b, POOL_counters, 0, 1, c);
 }

@@ -31,6 +31,7 @@ typedef struct
 	int* template_of;         // for each world of the batch: index of its template
 	const int* next_of;       // and that after its next reset; null if templates stay
 	int* spare_of;            // for each template: its spare bay, -1 if no world of the block may have it
+	int touching;             // maximum number of contacts with a color of a template
 	int empty;                // spare bay of a world without items
 	int stage, stages;        // spare bays through which states of worlds come and go: the first one, and their number
 	Int2* copies;             // room for one copy per world

@@ -215,6 +215,8 @@ scree_status template_read(scree_world* world, const char* function, int number,
 		memcpy(made->kinematics, world->kinematics, sizeof(int) * kinematics);
 	TRY(visits_read(world, function, &made->visits));
 	TRY(read_pools(world, function, made));
+	for (int k = 0; k < made->contacts; ++k)
+		made->touching += made->image.contact_color[k] >= 0;
 	mark_restarts(world, made);
 	TRY(read_fields(world, function, made));
 	leave_places(made);

@@ -14,6 +14,7 @@ typedef struct
 	Pools image;           // the lasting items of the world, and free slots; indices are those within the world
 	int count[POOL_COUNT]; // number of items of each pool
 	int bodies, collidables, contacts, joints, attributes; // numbers of slots in use
+	int touching;                                          // number of contacts with a color
 	int first_attribute, first_sample, first_field; // indices of its first items of these kinds in the pools of a batch
 	int material_table;  // number of its table of pairs of materials; 0, an empty one, if it has none
 	Pipeline pipeline;   // flags, counters and constants of the last step; owns no memory

@@ -12,10 +12,11 @@
 #include "step/constants.h"
 #include <string.h>
 
-// Number of worlds of a block for each bay through which states come and go, and the maximum number of these bays: they need
-// little memory, and a device copies many worlds at once.
-#define STAGE_SHARE 8
-#define STAGES_MOST 256
+// Number of worlds of a block for each bay through which states come and go, and the maximum number of these bays. A GPU copies
+// many worlds at once; on a CPU few of them stay in the cache.
+#define STAGE_SHARE     8
+#define STAGE_SHARE_CPU 32
+#define STAGES_MOST     256
 
 static int larger(int a, int b) { return a > b ? a : b; }
 
@@ -52,6 +53,7 @@ static scree_status open_pools(Pipeline* p, Backend* backend, const BaySizes* si
 		contacts *= 2;
 	int64_t bodies = bays * larger(sizes->bodies, sizes->collidables) + GROUP_ITEMS;
 	contacts = bays * contacts + GROUP_ITEMS;
+	p->bays.worlds = sizes->worlds;
 	bool fits = bodies <= MAX_ITEMS / 2 && contacts <= MAX_CONTACTS / 2; // else bays_open fails
 	return pipeline_open(p, backend, fits ? (int)bodies : 0, fits ? (int)contacts : 0);
 }
@@ -89,11 +91,13 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		sizes.collidables = larger(sizes.collidables, from->collidables);
 		sizes.contacts = larger(sizes.contacts, from->contacts);
 		sizes.joints = larger(sizes.joints, from->joints);
+		sizes.touching = larger(sizes.touching, from->touching);
 		sizes.sensors = larger(sizes.sensors, from->visits.count);
 	}
 	TRY(block_targets_open(block));
 	block->stage = worlds + sizes.spares;
-	block->stages = worlds < STAGE_SHARE ? 1 : worlds / STAGE_SHARE < STAGES_MOST ? worlds / STAGE_SHARE : STAGES_MOST;
+	int stages = worlds / (backend->distant ? STAGE_SHARE : STAGE_SHARE_CPU);
+	block->stages = stages < 1 ? 1 : stages < STAGES_MOST ? stages : STAGES_MOST;
 	sizes.spares += block->stages;
 	block->empty = worlds + sizes.spares++;
 	Pipeline* p = &block->pipeline;
@@ -105,7 +109,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 		if (block->spare_of[t] < 0)
 			continue;
 		add_flags(p, &templates[t].pipeline);
-		p->bay_joints |= templates[t].joints > 0;
+		p->bay_joints = larger(p->bay_joints, templates[t].joints);
 		block->restarts |= templates[t].restarts;
 		block->request.details |= templates[t].request.details;
 		block->request.reports |= templates[t].request.reports;
@@ -113,6 +117,7 @@ scree_status block_open(Block* block, Backend* backend, const Template* template
 	}
 	p->sleeps = block->request.sleep;
 	TRY(bays_open(p, &sizes));
+	block->touching = sizes.touching;
 	block->request.contact_limit = 0;
 	block->request.kinematics = block->kinematics;
 	block_gravity_changes(block, 0, worlds);

@@ -28,6 +28,10 @@
 // pages that nobody writes take no memory and no time: the creation of many worlds on a CPU writes half of its pools.
 #define ZERO_BLOCK ((size_t)4 << 10)
 
+// Minimum size of a block that grows, below HUGE_BLOCK, that is mapped by itself, bytes. The C library may take such a block from
+// memory that was released, and then writes all of it.
+#define MAPPED_BLOCK ((size_t)64 << 10)
+
 static _Thread_local char sentence[SENTENCE_BYTES];
 static atomic_size_t memory_in_use;
 static atomic_int worlds;
@@ -72,6 +76,30 @@ static void release_block(void* memory, void* context)
 {
 	(void)memory;
 	free(context);
+}
+
+// Returns memory that the system maps: zeroed, and without pages until they are written. Null for sizes that are not mapped, or if
+// there is no memory. A sanitizer sees no end of such blocks.
+static void* mapped(size_t bytes)
+{
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+	if (bytes >= MAPPED_BLOCK && bytes < HUGE_BLOCK)
+	{
+		void* memory = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+		return memory == MAP_FAILED ? NULL : memory;
+	}
+#endif
+	(void)bytes;
+	return NULL;
+}
+
+// Releases such memory. context: one past its end.
+static void release_mapped(void* memory, void* context)
+{
+#ifdef __linux__
+	munmap(memory, (size_t)((char*)context - (char*)memory));
+#endif
+	(void)memory, (void)context;
 }
 
 static void default_release(void* memory, void* context)
@@ -198,14 +226,17 @@ typedef struct
 } Header;
 _Static_assert(sizeof(Header) == ALIGNMENT, "what follows the header is aligned as well");
 
-void* scree_allocate(size_t bytes)
+// grows: whether the block is one of those that scree_reallocate enlarges.
+static void* allocate(size_t bytes, bool grows)
 {
 	FLOAT_MODE_HERE;
 	if (bytes > SIZE_MAX - 2 * ALIGNMENT)
 		return NULL;
 	size_t all = (sizeof(Header) + bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
 	void* block = NULL;
-	Header* header = hooks.allocate == default_allocate ? zeroed(all, &block) : NULL;
+	bool own = hooks.allocate == default_allocate;
+	Header* map = own && grows ? mapped(all) : NULL;
+	Header* header = map || !own ? map : zeroed(all, &block);
 	if (!header)
 	{
 		header = hooks.allocate(all, ALIGNMENT, hooks.context);
@@ -215,15 +246,17 @@ void* scree_allocate(size_t bytes)
 		memset(header, 0, all);
 	}
 	header->bytes = all;
-	header->release = block ? release_block : hooks.release;
-	header->context = block ? block : hooks.context;
+	header->release = map ? release_mapped : block ? release_block : hooks.release;
+	header->context = map ? (char*)map + all : block ? block : hooks.context;
 	atomic_fetch_add(&memory_in_use, all);
 	return header + 1;
 }
 
+void* scree_allocate(size_t bytes) { return allocate(bytes, false); }
+
 void* scree_reallocate(void* memory, size_t old_bytes, size_t bytes)
 {
-	void* larger = scree_allocate(bytes);
+	void* larger = allocate(bytes, true);
 	if (larger && memory)
 	{
 		memcpy(larger, memory, old_bytes < bytes ? old_bytes : bytes);

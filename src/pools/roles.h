@@ -27,6 +27,7 @@ typedef enum // kind of the items of a pool
 	PER_SPOKE_BLOCK,      // MAX_LANES contacts of hubs
 	PER_RENDER_ROW,       // collidable in the render rows
 	PER_CONTACT_REPORT,   // contact in a contact report
+	PER_JOINT_REPORT,     // joint in a report of joints
 	PER_EVENT,            // contact of a world in which some collidable reports events
 	PER_APPROVAL,         // contact of a world with contact approval or one-way platforms
 	PER_ALLOWED,          // pair of collidables that the user approved

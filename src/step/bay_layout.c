@@ -9,6 +9,14 @@
 #include "step/reserve.h"
 #include "step/tree_maintenance.h"
 
+// Copies of many worlds are rare if none was made in parts in this number of steps: 2 s at 60 Hz.
+#define RARE_STEPS 120
+
+// Part of the worlds for which there are places behind the layout: copies of this part in each step need no other memory.
+#define PART_OF_WORLDS 8
+
+static int larger(int a, int b) { return a > b ? a : b; }
+
 static int bits_of(int items)
 {
 	int bits = 0;
@@ -86,6 +94,17 @@ static scree_status reserve_bays(Pipeline* pipeline, int spares)
 	return SCREE_OK;
 }
 
+// Reserves places for the constraints of all worlds. A batch that needs more gets them in the step that does.
+static scree_status reserve_places(Pipeline* pipeline, int touching)
+{
+	const Bays* bays = &pipeline->bays;
+	int contacts = bays->worlds << bays->contact_bits, joints = bays->worlds * pipeline->bay_joints;
+	int padding = (COLORS + 1) * COLOR_PADDING;
+	contacts = larger(contacts / 2, bays->worlds * touching);
+	TRY(pipeline_reserve(pipeline, PER_CONTACT_PLACE, contacts + contacts / PART_OF_WORLDS + padding));
+	return pipeline_reserve(pipeline, PER_JOINT_PLACE, joints + joints / PART_OF_WORLDS + padding);
+}
+
 int bays_slots_most(const Bays* bays)
 {
 	int most = MOST_BAY_ITEMS;
@@ -111,6 +130,7 @@ scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
 		            sizes->bodies, sizes->collidables, sizes->contacts);
 	pipeline->bays = bays;
 	pipeline->live_bays = sizes->worlds;
+	TRY(reserve_places(pipeline, sizes->touching));
 	int most = bays_slots_most(&bays), limit = sizes->contact_limit;
 	pipeline->bay_limit = limit > 0 && limit < most ? limit : most;
 	TRY(reserve_bays(pipeline, sizes->spares));
@@ -155,27 +175,11 @@ scree_status bays_live(Pipeline* pipeline, int live, int edits)
 	return count(pipeline, &step, edits);
 }
 
-scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, int count)
+// Executes copies for whose constraints there are places. live: number of copies to live bays.
+static scree_status copy(Pipeline* pipeline, const Int2* copies, const int* rows, int count, int live)
 {
 	Backend* b = pipeline->backend;
 	Bays* bays = &pipeline->bays;
-	const KindLayout* layout = pipeline->counters.layout;
-	int live = 0;
-	for (int k = 0; k < count; ++k)
-		live += copies[k].y < bays->worlds;
-	if (count == 0)
-		return SCREE_OK;
-	int bits_most = bays->contact_bits > bays->joint_bits ? bays->contact_bits : bays->joint_bits;
-	if (pipeline->placed + ((int64_t)live << bits_most) > (int64_t)bays->worlds << bits_most)
-		TRY(pipeline_lay_out_bays(pipeline)); // many copies since the last step must not take more and more places
-	int most = pipeline->placed + (live << bits_most);
-	for (int kind = 0; kind < CONSTRAINT_KINDS && live > 0; ++kind)
-	{
-		int bits = kind == CONSTRAINT_CONTACT ? bays->contact_bits : bays->joint_bits;
-		TRY(pipeline_reserve(pipeline, kind_info[kind].places,
-		                     layout[kind].begin[COLORS + 1] + pipeline->placed + (live << bits)));
-	}
-	pipeline->placed = most;
 	TRY(b->f->write(b, POOL_bay_copy, 0, count, copies));
 	TRY(b->f->write(b, POOL_bay_row, 0, count, rows));
 	bays->copies = count;
@@ -192,6 +196,71 @@ scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, 
 	pipeline->split = false;
 	pipeline->edited = true;
 	pipeline->counters.changed = 1; // the next step may need another layout
+	return SCREE_OK;
+}
+
+// Returns the number of worlds for whose constraints there are places behind the layout.
+static int worlds_placed(const Pipeline* pipeline, const int* most)
+{
+	int worlds = INT32_MAX;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		int end = pipeline->counters.layout[kind].begin[COLORS + 1] + pipeline->placed[kind];
+		int room = pipeline->backend->capacity[kind_info[kind].places] - end;
+		if (most[kind] > 0 && room / most[kind] < worlds)
+			worlds = room / most[kind];
+	}
+	return worlds;
+}
+
+// Makes places for the constraints of at least this number of worlds more: by a layout without gaps, then by growth.
+static scree_status place_worlds(Pipeline* pipeline, const int* most, int worlds)
+{
+	bool gaps = false;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		gaps |= pipeline->placed[kind] > 0;
+	if (gaps)
+		TRY(pipeline_lay_out_bays(pipeline));
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		TRY(pipeline_reserve(pipeline, kind_info[kind].places,
+		                     pipeline->counters.layout[kind].begin[COLORS + 1] + worlds * most[kind]));
+	return SCREE_OK;
+}
+
+// Returns the number of worlds that are copied at once, if there are not enough places for all.
+//
+// Copies of many worlds would take much memory, so they are made in parts, between which the constraints are laid out. If such
+// copies come again soon, the time for that is worth more.
+static int worlds_at_once(Pipeline* pipeline, int worlds)
+{
+	int part = (pipeline->bays.worlds + PART_OF_WORLDS - 1) / PART_OF_WORLDS;
+	bool rare = pipeline->steps >= pipeline->next_parts;
+	if (worlds <= 2 * part || !rare)
+		return worlds;
+	pipeline->next_parts = pipeline->steps + RARE_STEPS;
+	return part;
+}
+
+scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, int count, const int* most)
+{
+	int left = 0, worlds = pipeline->bays.worlds, part = 0; // left: copies to live bays
+	for (int k = 0; k < count; ++k)
+		left += copies[k].y < worlds;
+	for (int first = 0, end = 0; first < count; first = end)
+	{
+		if (worlds_placed(pipeline, most) < left)
+		{
+			part = part > 0 ? part : worlds_at_once(pipeline, left);
+			TRY(place_worlds(pipeline, most, part < left ? part : left));
+		}
+		int room = worlds_placed(pipeline, most), live = 0;
+		for (; end < count && live + (copies[end].y < worlds) <= room; ++end)
+			live += copies[end].y < worlds;
+		TRY(copy(pipeline, copies + first, rows + first, end - first, live));
+		for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+			pipeline->placed[kind] += live * most[kind];
+		left -= live;
+	}
 	return SCREE_OK;
 }
 

@@ -10,6 +10,7 @@ typedef struct // numbers of bays, and of the items of each
 {
 	int worlds, spares; // bays for worlds, all of them live at first; bays that are never stepped, numbered after them
 	int bodies, collidables, contacts, joints;
+	int touching;      // maximum number of contacts with a color of a world, at first
 	int sensors;       // maximum number of sensors of a world
 	int contact_limit; // maximum number of contacts of a world, 0 for the default
 } BaySizes;
@@ -25,8 +26,8 @@ int bays_slots_most(const Bays* bays);
 scree_status bays_spare(Pipeline* pipeline, int spares);
 
 // Copies worlds: for each copy, from bay x to bay y. rows: row of the world of each copy, -1 for none. No bay may occur in
-// `copies` as y and a second time.
-scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, int count);
+// `copies` as y and a second time. most: of each kind, the maximum number of constraints that the copy of a world has.
+scree_status bays_copy(Pipeline* pipeline, const Int2* copies, const int* rows, int count, const int* most);
 
 // Sets the number of live bays, between two steps. Bays that are no longer live contain no world. edits: BAY_COUNT_SPOTS,
 // BAY_COUNT_EXCLUDED.

@@ -297,7 +297,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	pipeline->settles = pipeline->settles && request->dt == 0.0f;
 	pipeline->jumps = false;
 	pipeline->reverted = false;
-	pipeline->placed = 0;
+	memset(pipeline->placed, 0, sizeof pipeline->placed);
 	++pipeline->steps;
 	return pipeline_trim(pipeline);
 }

@@ -132,12 +132,13 @@ typedef struct
 	int live_bays;                // number of bays that are stepped: the first ones
 	int spare_bays;               // number of bays behind those for worlds, which are never stepped
 	int bay_limit;                // maximum number of contacts of a world of a batch
-	bool bay_joints;              // some world of a batch has joints
-	bool crowded;        // the last step was abandoned, because some worlds of a batch get more contacts than the limit
-	int solve_places;    // as in Bays: that of the next step, if its solve may begin before the host reads its layout
-	int placed;          // upper bound of Counters.placed, at most the number of slots of the bays for worlds
-	bool lengths_vary;   // worlds of a batch differ in BayState.substep
-	double milliseconds; // wall-clock time of the last step, ms
+	int bay_joints;               // maximum number of joints of a world of a batch
+	bool crowded;     // the last step was abandoned, because some worlds of a batch get more contacts than the limit
+	int solve_places; // as in Bays: that of the next step, if its solve may begin before the host reads its layout
+	int placed[CONSTRAINT_KINDS]; // upper bounds of Counters.placed
+	int64_t next_parts;           // number of steps from which copies of many worlds are made in parts (bay_layout.c)
+	bool lengths_vary;            // worlds of a batch differ in BayState.substep
+	double milliseconds;          // wall-clock time of the last step, ms
 	double stage_times[STAGE_COUNT]; // ms of each stage in the last step; zeros without timings
 	double query_milliseconds;       // ms of the last queries; 0 without timings
 	scree_traffic traffic;           // traffic of the last step

@@ -68,14 +68,22 @@ scree_status pipeline_lay_out(Pipeline* pipeline, int bodies, bool spokes)
 scree_status pipeline_lay_out_bays(Pipeline* pipeline)
 {
 	Backend* b = pipeline->backend;
-	Counters now;
+	const Bays* bays = &pipeline->bays;
+	Counters now, *host = &pipeline->counters;
 	TRY(b->f->read(b, POOL_counters, 0, 1, &now)); // copies have changed counters that the host has not read
 	now.stalled = 0;                               // an abandoned step is over
-	pipeline->counters.hubs |= now.copied_spokes || layout_has_spokes(&now);
-	TRY(lay_out(pipeline, pipeline->live_bays * pipeline->bays.bodies, &now, 0));
-	memcpy(pipeline->counters.layout, now.layout, sizeof now.layout);
-	pipeline->counters.hubs = now.hubs;
+	host->hubs |= now.copied_spokes || layout_has_spokes(&now);
+	// worlds may have come to bays that will be live
+	const int contacts = host->contacts, joints = host->joints;
+	host->contacts = now.contacts = bays->worlds << bays->contact_bits;
+	host->joints = now.joints = pipeline->bay_joints > 0 ? bays->worlds << bays->joint_bits : 0;
+	scree_status status = lay_out(pipeline, bays->worlds * bays->bodies, &now, 0);
+	host->contacts = now.contacts = contacts;
+	host->joints = now.joints = joints;
+	TRY(status);
+	memcpy(host->layout, now.layout, sizeof now.layout);
+	host->hubs = now.hubs;
 	pipeline->split = false;
-	pipeline->placed = 0;
-	return SCREE_OK;
+	memset(pipeline->placed, 0, sizeof pipeline->placed);
+	return b->f->write(b, POOL_counters, 0, 1, &now);
 }

@@ -17,6 +17,10 @@
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096 // with at most this number of slots, packing would save nothing
 
+// A pool grows by at least half of its size, and by this part of it in a batch, whose worlds are known when its pools are
+// made. Then memory is worth more than time.
+#define GROWTH_OF_BATCH 4
+
 const Per grouped[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT};
 static const Per groups[GROUP_KINDS] = {PER_BODY_GROUP, PER_COLLIDABLE_GROUP, PER_CONTACT_GROUP};
 
@@ -54,8 +58,11 @@ static scree_status reserve_kind(Pipeline* pipeline, const KindInfo* kind, Per p
 		return resize(pipeline, kind->blocks, wanted / MAX_LANES);
 	if (per != kind->items)
 		return SCREE_OK;
-	TRY(resize(pipeline, kind->places, constraints_of(wanted)));
-	TRY(resize(pipeline, kind->blocks, constraints_of(wanted) / MAX_LANES));
+	if (!OF_BATCH(pipeline)) // most slots of bays are free, so a batch reserves places for the constraints that exist
+	{
+		TRY(resize(pipeline, kind->places, constraints_of(wanted)));
+		TRY(resize(pipeline, kind->blocks, constraints_of(wanted) / MAX_LANES));
+	}
 	TRY(resize(pipeline, PER_EDGE, edges(b) - b->capacity[per] + wanted));
 	return resize(pipeline, PER_KEY, b->capacity[PER_EDGE]);
 }
@@ -69,7 +76,8 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	note(pipeline, per, capacity);
 	if (capacity <= old)
 		return SCREE_OK;
-	int64_t wanted = rounded(capacity > old + old / 2 ? capacity : (int64_t)old + old / 2);
+	int64_t more = OF_BATCH(pipeline) ? old / GROWTH_OF_BATCH : old / 2;
+	int64_t wanted = rounded(capacity > old + more ? capacity : old + more);
 	pipeline->grown += old > 0 && per != PER_SAVED; // saves change no state
 
 	scree_status status = SCREE_OK;
@@ -78,11 +86,12 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 		status = reserve_kind(pipeline, &kind_info[kind], per, wanted);
 	if (per == PER_COLLIDABLE)
 	{
+		int trees = OF_BATCH(pipeline) ? 1 : 2; // the tree of static collidables of a batch is empty
 		status = tree_save(pipeline, &leaves);
 		if (!status)
-			status = resize(pipeline, PER_LEAF, 2 * wanted);
+			status = resize(pipeline, PER_LEAF, trees * wanted);
 		if (!status)
-			status = resize(pipeline, PER_NODE, 2 * (int64_t)tree_nodes((int)wanted));
+			status = resize(pipeline, PER_NODE, trees * (int64_t)tree_nodes((int)wanted));
 		if (!status)
 			status = resize(pipeline, PER_NODE_GROUP, b->capacity[PER_NODE] / ARITY);
 		if (!status)

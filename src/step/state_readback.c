@@ -51,6 +51,7 @@ scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count)
 	Run run = {.kernel_id = KERNEL_joint_report, .begin = first, .end = first + count, .count = NO_COUNT};
 	Step step = pipeline->step;
 	step_joints(&step, pipeline);
+	TRY(pipeline_reserve(pipeline, PER_JOINT_REPORT, first + count));
 	return b->f->run(b, &step, &run, 1);
 }
 
