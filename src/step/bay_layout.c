@@ -15,6 +15,8 @@
 // Part of the worlds for which there are places behind the layout: copies of this part in each step need no other memory.
 #define PART_OF_WORLDS 8
 
+bool bays_tight_setting;
+
 static int larger(int a, int b) { return a > b ? a : b; }
 
 static int bits_of(int items)
@@ -98,11 +100,15 @@ static scree_status reserve_bays(Pipeline* pipeline, int spares)
 static scree_status reserve_places(Pipeline* pipeline, int touching)
 {
 	const Bays* bays = &pipeline->bays;
-	int contacts = bays->worlds << bays->contact_bits, joints = bays->worlds * pipeline->bay_joints;
-	int padding = (COLORS + 1) * COLOR_PADDING;
-	contacts = larger(contacts / 2, bays->worlds * touching);
-	TRY(pipeline_reserve(pipeline, PER_CONTACT_PLACE, contacts + contacts / PART_OF_WORLDS + padding));
-	return pipeline_reserve(pipeline, PER_JOINT_PLACE, joints + joints / PART_OF_WORLDS + padding);
+	int half = (bays->worlds << bays->contact_bits) / 2;
+	const int places[CONSTRAINT_KINDS] = {[CONSTRAINT_CONTACT] = larger(half, bays->worlds * touching),
+	                                      [CONSTRAINT_JOINT] = bays->worlds * pipeline->bay_joints};
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		int all = places[kind] + places[kind] / PART_OF_WORLDS + (COLORS + 1) * COLOR_PADDING;
+		TRY(pipeline_reserve(pipeline, kind_info[kind].places, pipeline->tight ? 1 : all));
+	}
+	return SCREE_OK;
 }
 
 int bays_slots_most(const Bays* bays)
@@ -130,6 +136,7 @@ scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes)
 		            sizes->bodies, sizes->collidables, sizes->contacts);
 	pipeline->bays = bays;
 	pipeline->live_bays = sizes->worlds;
+	pipeline->tight = bays_tight_setting;
 	TRY(reserve_places(pipeline, sizes->touching));
 	int most = bays_slots_most(&bays), limit = sizes->contact_limit;
 	pipeline->bay_limit = limit > 0 && limit < most ? limit : most;
@@ -233,6 +240,8 @@ static scree_status place_worlds(Pipeline* pipeline, const int* most, int worlds
 // copies come again soon, the time for that is worth more.
 static int worlds_at_once(Pipeline* pipeline, int worlds)
 {
+	if (pipeline->tight)
+		return 1;
 	int part = (pipeline->bays.worlds + PART_OF_WORLDS - 1) / PART_OF_WORLDS;
 	bool rare = pipeline->steps >= pipeline->next_parts;
 	if (worlds <= 2 * part || !rare)

@@ -15,6 +15,10 @@ typedef struct // numbers of bays, and of the items of each
 	int contact_limit; // maximum number of contacts of a world, 0 for the default
 } BaySizes;
 
+// true: batches begin with as few places for constraints as possible, and copy worlds one by one if these do not suffice, so that
+// small ones do what large ones do. Tests set it before a batch is created.
+extern bool bays_tight_setting;
+
 // Sets Pipeline.bays, and reserves memory. All slots of contacts and joints are free, all other items are zero. The
 // pipeline is open, and has made no step.
 scree_status bays_open(Pipeline* pipeline, const BaySizes* sizes);

@@ -137,6 +137,7 @@ typedef struct
 	int solve_places; // as in Bays: that of the next step, if its solve may begin before the host reads its layout
 	int placed[CONSTRAINT_KINDS]; // upper bounds of Counters.placed
 	int64_t next_parts;           // number of steps from which copies of many worlds are made in parts (bay_layout.c)
+	bool tight;                   // bays_tight_setting when the batch was created
 	bool lengths_vary;            // worlds of a batch differ in BayState.substep
 	double milliseconds;          // wall-clock time of the last step, ms
 	double stage_times[STAGE_COUNT]; // ms of each stage in the last step; zeros without timings

@@ -3,6 +3,7 @@
 #include "batch/batch.h"
 #include "mirror/mirrored.h"
 #include "platform/processor.h"
+#include "step/bay_layout.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,7 +30,7 @@ static int any_lanes(Mirror* m)
 	return processor_has_lanes(lanes) ? lanes : 0;
 }
 
-// Creates a batch with random threads, lanes and blocks, which change no bit.
+// Creates a batch with random threads, lanes, blocks and places, which change no bit.
 static scree_status create(Mirror* m, int worlds, scree_world** templates, int count, scree_batch** batch)
 {
 	scree_batch_def def = scree_batch_def_default();
@@ -43,8 +44,10 @@ static scree_status create(Mirror* m, int worlds, scree_world** templates, int c
 	def.contact_limit = m->contact_limit;
 	def.timings = one_in(&m->dice, 4);
 	batch_parts_setting = random_below(&m->dice, 3);
+	bays_tight_setting = one_in(&m->dice, 2);
 	scree_status status = scree_batch_create(&def, batch);
 	batch_parts_setting = 0;
+	bays_tight_setting = false;
 	m->counts->batches += status == SCREE_OK;
 	return status;
 }

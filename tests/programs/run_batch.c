@@ -3,7 +3,7 @@
 #include "batch/batch.h"
 #include "platform/error.h"
 #include "programs/run_call.h"
-#include "step/pipeline_state.h"
+#include "step/bay_layout.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -313,6 +313,7 @@ bool batch_repeat(scree_world* world, const Place* place, int* made)
 	many.threads = place->threads;
 	many.lanes = place->lanes;
 	batch_parts_setting = 1 + *made % 2; // every second batch has two blocks
+	bays_tight_setting = *made % 3 == 0; // and every third one has few places
 	if (scree_batch_create(&many, &batch) == SCREE_OK)
 	{
 		++*made;
