@@ -205,6 +205,7 @@ static scree_status take_items(scree_world* world, const Template* from, const R
 	// the pairs that never touch are those of the template, but joints may have broken since
 	p->counters.joints_dirty = p->counters.joints + p->excluded > 0 ? INT32_MAX : 0;
 	TRY(b->f->write(b, POOL_counters, 0, 1, &p->counters));
+	p->statics |= from->pipeline.statics; // a static body that is disabled now may have been enabled by inputs
 	set_duties(p, head);
 	take_host(world, head, row);
 	Counters counters; // this read also stores the counters in the backend, and reports failed writes
