@@ -105,7 +105,7 @@ static scree_status reserve_places(Pipeline* pipeline, int touching)
 	                                      [CONSTRAINT_JOINT] = bays->worlds * pipeline->bay_joints};
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
-		int all = places[kind] + places[kind] / PART_OF_WORLDS + (COLORS + 1) * COLOR_PADDING;
+		int all = (int)places_of(places[kind] + places[kind] / PART_OF_WORLDS);
 		TRY(pipeline_reserve(pipeline, kind_info[kind].places, pipeline->tight ? 1 : all));
 	}
 	return SCREE_OK;

@@ -17,8 +17,8 @@
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096 // with at most this number of slots, packing would save nothing
 
-// A pool grows by at least half of its size, and by this part of it in a batch, whose worlds are known when its pools are
-// made. Then memory is worth more than time.
+// A pool grows by at least half of its size, in a batch by 1 / GROWTH_OF_BATCH of it: the worlds of a batch are known when its
+// pools are made, so growth is rare.
 #define GROWTH_OF_BATCH 4
 
 const Per grouped[GROUP_KINDS] = {PER_BODY, PER_COLLIDABLE, PER_CONTACT};
@@ -26,7 +26,7 @@ static const Per groups[GROUP_KINDS] = {PER_BODY_GROUP, PER_COLLIDABLE_GROUP, PE
 
 static int64_t rounded(int64_t capacity) { return (capacity + LEAST_CAPACITY - 1) / LEAST_CAPACITY * LEAST_CAPACITY; }
 
-static int64_t constraints_of(int64_t contacts) { return contacts + (COLORS + 1) * COLOR_PADDING; }
+int64_t places_of(int64_t constraints) { return constraints + (COLORS + 1) * COLOR_PADDING; }
 
 static int larger(int a, int b) { return a > b ? a : b; }
 
@@ -60,8 +60,8 @@ static scree_status reserve_kind(Pipeline* pipeline, const KindInfo* kind, Per p
 		return SCREE_OK;
 	if (!OF_BATCH(pipeline)) // most slots of bays are free, so a batch reserves places for the constraints that exist
 	{
-		TRY(resize(pipeline, kind->places, constraints_of(wanted)));
-		TRY(resize(pipeline, kind->blocks, constraints_of(wanted) / MAX_LANES));
+		TRY(resize(pipeline, kind->places, places_of(wanted)));
+		TRY(resize(pipeline, kind->blocks, places_of(wanted) / MAX_LANES));
 	}
 	TRY(resize(pipeline, PER_EDGE, edges(b) - b->capacity[per] + wanted));
 	return resize(pipeline, PER_KEY, b->capacity[PER_EDGE]);
@@ -137,7 +137,7 @@ static scree_status shrink_all(Pipeline* pipeline)
 		TRY(shrink(pipeline, info->items, kind == CONSTRAINT_CONTACT ? pipeline->first_contacts : LEAST_CAPACITY));
 		if (b->capacity[info->items] < items)
 			TRY(shrink_to(b, PER_EDGE, edges(b)));
-		TRY(shrink(pipeline, info->places, (int)constraints_of(b->capacity[info->items])));
+		TRY(shrink(pipeline, info->places, (int)places_of(b->capacity[info->items])));
 		if (b->capacity[info->places] < places)
 			TRY(shrink_to(b, info->blocks, b->capacity[info->places] / MAX_LANES));
 	}

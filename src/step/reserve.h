@@ -15,8 +15,11 @@ static inline int group_items(int items) { return (items + GROUP_ITEMS - 1) / GR
 // Returns the larger number of groups that the pools of bodies and of collidables have.
 int groups_most(const Backend* b);
 
-// Ensures space for `capacity` items in the pools of `per` and in pools that depend on them; pools grow by half or
-// more.
+// Returns the number of places for constraints, whose colors are padded.
+int64_t places_of(int64_t constraints);
+
+// Ensures space for `capacity` items in the pools of `per` and in pools that depend on them; pools grow by half or more, those of a
+// batch by a quarter.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 
 // Shrinks pools that have been much too large for a long time. Must be called after each step. Fails only if the device
