@@ -88,9 +88,7 @@ static scree_status load_some(Staged* s)
 		note_pending(block, s->heads + (block->copies[k].x - block->stage), block->rows[k]);
 	TRY(staged_visits(s, false));
 	TRY(write_values(s));
-	const int most[] = {
-	    [CONSTRAINT_CONTACT] = 1 << block->pipeline.bays.contact_bits, [CONSTRAINT_JOINT] = block->pipeline.bay_joints};
-	TRY(bays_copy(&block->pipeline, block->copies, block->rows, s->copies, most));
+	TRY(block_copy(block, s->copies, 1 << block->pipeline.bays.contact_bits));
 	TRY(wake(s));
 	for (int k = 0; k < s->copies; ++k)
 	{

@@ -40,8 +40,7 @@ void block_places_close(Block* block)
 	scree_release(block->unused);
 }
 
-// contacts: maximum number of contacts with a color that the copy of a world has.
-static scree_status copy(Block* block, int count, int contacts)
+scree_status block_copy(Block* block, int count, int contacts)
 {
 	const int most[] = {[CONSTRAINT_CONTACT] = contacts, [CONSTRAINT_JOINT] = block->pipeline.bay_joints};
 	return bays_copy(&block->pipeline, block->copies, block->rows, count, most);
@@ -79,7 +78,7 @@ static scree_status leave(Block* block)
 		block->bay_of[row] = to;
 		block->row_of[from] = -1;
 	}
-	return copy(block, count, 0);
+	return block_copy(block, count, 0);
 }
 
 static Pending template_pending(const Pipeline* from)
@@ -138,7 +137,7 @@ scree_status block_restore(Block* block, const uint8_t* mask, int* count)
 	for (int k = 0; k < found && block->targets; ++k)
 		block_targets_begin(block, block->rows[k]);
 	*count = found;
-	return copy(block, found, block->touching);
+	return block_copy(block, found, block->touching);
 }
 
 // Moves worlds to the first `live` bays, and puts worlds back to their templates.
@@ -172,7 +171,7 @@ static scree_status enter(Block* block, int live)
 		block->bay_of[row] = to;
 		block->row_of[to] = row;
 	}
-	return copy(block, count, contacts);
+	return block_copy(block, count, contacts);
 }
 
 // Empties bays from `live` on that were live before.

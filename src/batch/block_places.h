@@ -18,4 +18,8 @@ scree_status block_restore(Block* block, const uint8_t* mask, int* count);
 // Pauses, resumes and resets worlds, as Block.plan says. The running worlds are then in the first bays.
 scree_status block_arrange(Block* block);
 
+// Executes the first `count` copies in Block.copies. contacts: maximum number of contacts with a color of the worlds that come to live
+// bays.
+scree_status block_copy(Block* block, int count, int contacts);
+
 #endif

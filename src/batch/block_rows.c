@@ -76,8 +76,7 @@ static scree_status save_some(Staged* s, const int* copies, int count)
 		s->origins[n] = block_own_origin(block, block_row(block, world));
 		block_add_copy(block, &n, block->bay_of[block_row(block, world)], block->stage + n, -1);
 	}
-	const int none[CONSTRAINT_KINDS] = {0}; // copies in spare bays have no places
-	TRY(bays_copy(&block->pipeline, block->copies, block->rows, count, none));
+	TRY(block_copy(block, count, 0));
 	TRY(b->f->read(b, POOL_bay_state, block->stage, count, s->states));
 	TRY(staged_read(s, POOL_pair, s->pair));
 	for (int n = 0; n < count; ++n)

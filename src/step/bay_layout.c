@@ -17,8 +17,6 @@
 
 bool bays_tight_setting;
 
-static int larger(int a, int b) { return a > b ? a : b; }
-
 static int bits_of(int items)
 {
 	int bits = 0;
@@ -100,9 +98,9 @@ static scree_status reserve_bays(Pipeline* pipeline, int spares)
 static scree_status reserve_places(Pipeline* pipeline, int touching)
 {
 	const Bays* bays = &pipeline->bays;
-	int half = (bays->worlds << bays->contact_bits) / 2;
-	const int places[CONSTRAINT_KINDS] = {[CONSTRAINT_CONTACT] = larger(half, bays->worlds * touching),
-	                                      [CONSTRAINT_JOINT] = bays->worlds * pipeline->bay_joints};
+	int half = (bays->worlds << bays->contact_bits) / 2, needed = bays->worlds * touching;
+	const int places[CONSTRAINT_KINDS] = {
+	    [CONSTRAINT_CONTACT] = needed > half ? needed : half, [CONSTRAINT_JOINT] = bays->worlds * pipeline->bay_joints};
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
 		int all = (int)places_of(places[kind] + places[kind] / PART_OF_WORLDS);
